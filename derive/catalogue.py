@@ -1,0 +1,228 @@
+"""Which functions are generated, and into which module of `generated/` each goes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import closed_forms as closed
+from . import loads, tire
+from .casadi_source import Argument, FunctionSpec, Result, cancel_tangents
+from .components import alpha
+from .equation import Chain, needed
+from .jacobian import jacobian, tangents
+from .linear import linear
+from .model import Model, nonlinear
+from .quantities import (
+    B1,
+    C1,
+    D1,
+    E1,
+    PARAMETERS,
+    STATES,
+    Ap,
+    C_alpha,
+    CL_gamma,
+    Ct,
+    Fz,
+    Izz,
+    Quantity,
+    a,
+    b,
+    m,
+    rho,
+    u,
+)
+
+
+@dataclass(frozen=True)
+class Module:
+    """A module of `generated/`: its name, its docstring and its functions."""
+
+    name: str
+    summary: str
+    functions: tuple[FunctionSpec, ...]
+    model: Model | None = None
+
+
+def modules() -> tuple[Module, ...]:
+    """Everything that is generated, derived afresh."""
+    return (
+        _model_module(linear()),
+        _model_module(nonlinear()),
+        _loads_module(),
+        _tire_module(),
+        _stability_module(),
+    )
+
+
+def _model_module(model: Model) -> Module:
+    return Module(model.name, model.summary, model_functions(model), model)
+
+
+def model_functions(model: Model) -> tuple[FunctionSpec, ...]:
+    """Right-hand side, outputs and Jacobians of a model, all of (x, u, p)."""
+    chain = cancel_tangents(model.chain)
+    directions = {"x": model.states, "u": model.inputs, "p": model.parameters}
+    derivatives = tangents(chain, [q for group in directions.values() for q in group])
+
+    def spec(name: str, summary: str, results: Sequence[Result], chain: Chain) -> FunctionSpec:
+        arguments = tuple(Argument(key, group) for key, group in directions.items())
+        return FunctionSpec(
+            name, f"{model.name}_{name}", summary, arguments, tuple(results), chain
+        )
+
+    values = {"f": ("xdot", model.rates), "g": ("y", model.outputs)}
+    jacobians = [
+        Result(
+            f"{function}{key}",
+            jacobian(expressions, chain, group),
+            f"derivatives of {of} by {key}",
+        )
+        for function, (of, expressions) in values.items()
+        for key, group in directions.items()
+    ]
+    rates = Result("xdot", sp.Matrix(model.rates), "time derivatives of x")
+    outputs = Result("y", sp.Matrix(model.outputs), f"outputs {', '.join(map(str, model.outputs))}")
+    return (
+        spec("rhs", "Time derivatives of the states.", [rates], chain),
+        spec("outputs", "Angles, forces and acceleration.", [outputs], chain),
+        spec("jacobians", "Jacobians of states and outputs.", jacobians, derivatives),
+    )
+
+
+def scalar_function(
+    name: str,
+    summary: str,
+    arguments: Sequence[Quantity],
+    results: Sequence[Quantity],
+    chain: Chain,
+) -> FunctionSpec:
+    """A function of named scalars, to be applied element by element."""
+    outputs = tuple(Result(str(q), sp.Matrix([q]), f"{q.meaning} [{q.unit}]") for q in results)
+    inputs = tuple(map(Argument.scalar, arguments))
+    return FunctionSpec(name, name, summary, inputs, outputs, needed(chain, results))
+
+
+def _ordered(chain: Chain) -> tuple[Quantity, ...]:
+    """The parameters a chain depends on, in their declared order."""
+    free = {s for e in chain for s in e.rhs.free_symbols} - {e.lhs for e in chain}
+    return tuple(q for q in PARAMETERS if q in free)
+
+
+def _loads_module() -> Module:
+    """One function for each quantity that follows from others."""
+    chain = loads.static_loads()
+    given = (*PARAMETERS, loads.L, loads.f, loads.F_tail_load)
+    functions = []
+    for equation in chain:
+        if equation.lhs not in given:
+            continue
+        # stop at every quantity that an aircraft file may give instead
+        inner = tuple(e for e in chain if e is equation or e.lhs not in given)
+        inner = needed(inner, [equation.lhs])
+        free = {s for e in inner for s in e.rhs.free_symbols} - {e.lhs for e in inner}
+        arguments = [q for q in given if q in free]
+        summary = f"{equation.lhs.meaning[0].upper()}{equation.lhs.meaning[1:]} ({equation.source})."
+        name = f"{equation.lhs}_from_loads"
+        functions.append(scalar_function(name, summary, arguments, [equation.lhs], inner))
+    return Module("loads", "What follows from CG and gear positions.", tuple(functions))
+
+
+def _tire_module() -> Module:
+    alpha_bar, F_bar, C_c, mu, F_y = tire.alpha_bar, tire.F_bar, tire.C_c, tire.mu, tire.F_y
+    force = cancel_tangents(tire.nonlinear_tire(alpha))
+    return Module(
+        "tire",
+        "The tire by itself (Chapter 3).",
+        (
+            scalar_function(
+                "tire_force",
+                "Lateral force of one tire at a slip angle and load.",
+                (alpha, *_ordered(force)),
+                (F_y, alpha_bar, F_bar, C_c, mu),
+                force,
+            ),
+            scalar_function(
+                "magic_formula",
+                "Normalised force at a normalised slip angle.",
+                (alpha_bar, B1, C1, D1, E1),
+                (F_bar,),
+                tire.magic_formula(),
+            ),
+            scalar_function(
+                "measured_coefficients",
+                "Cornering and friction coefficient from measured forces at one load.",
+                (alpha, F_y, tire.F_peak, Fz),
+                (C_c, mu),
+                tire.measured_coefficients(alpha, tire.F_peak),
+            ),
+            scalar_function(
+                "normalised_data",
+                "A measured force in normalised form.",
+                (alpha, F_y, Fz, C_c, mu),
+                (alpha_bar, F_bar),
+                tire.normalised_data(alpha),
+            ),
+        ),
+    )
+
+
+def _stability_module() -> Module:
+    airframe = (m, Izz, a, b, u, rho, Ap, CL_gamma, C_alpha, Ct)
+    stiffness = closed.stiffnesses()
+    return Module(
+        "stability",
+        "Closed forms of the linear model (Section 4.7 and what it leaves unsaid).",
+        (
+            scalar_function(
+                "state_matrix",
+                "A of the linear model.",
+                airframe,
+                closed.STATE_MATRIX,
+                (*stiffness, *closed.state_matrix()),
+            ),
+            scalar_function(
+                "routh_hurwitz",
+                "Trace and determinant of A: stable if and only if trace < 0 < det.",
+                airframe,
+                (closed.trace, closed.det, closed.discriminant),
+                (*stiffness, *closed.routh_hurwitz()),
+            ),
+            scalar_function(
+                "modes",
+                "Eigenvalues of a 2 x 2 state matrix and what is read from them.",
+                closed.STATE_MATRIX,
+                (
+                    *(closed.re_1, closed.im_1, closed.re_2, closed.im_2),
+                    *(closed.decay_rate, closed.natural_frequency),
+                    *(closed.damped_frequency, closed.damping_ratio),
+                ),
+                closed.modes(),
+            ),
+            scalar_function(
+                "speed_window",
+                "Speeds between which the linear model is unstable; NaN where there are none.",
+                (m, a, b, rho, Ap, CL_gamma, C_alpha, Ct),
+                (closed.u_low, closed.u_high),
+                closed.speed_window(),
+            ),
+        ),
+    )
+
+
+#: Every quantity that appears anywhere, by symbol, for the table that the runtime reads.
+def all_quantities(generated: Sequence[Module]) -> tuple[Quantity, ...]:
+    """States, parameters, and what the functions take and return, in a stable order."""
+    found: dict[str, Quantity] = {q.name: q for q in (*STATES, *PARAMETERS)}
+    for module in generated:
+        for function in module.functions:
+            if module.model is None:
+                results = [x for result in function.results for x in result.value]
+            else:
+                results = list(module.model.outputs)
+            for q in (*(q for arg in function.arguments for q in arg.quantities), *results):
+                found.setdefault(q.name, q)
+    return tuple(found.values())

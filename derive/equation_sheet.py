@@ -1,0 +1,98 @@
+"""The equation sheet: every generated chain in LaTeX, with the thesis's equation numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import sympy as sp
+
+from . import closed_forms as closed
+from .catalogue import Module
+from .equation import Chain
+from .kinematics import path_rates
+from .loads import static_loads
+from .model import Model
+from .newton import r_dot, v_dot
+from .quantities import Quantity
+
+
+def equation_sheet(derived: Sequence[Module]) -> str:
+    """Markdown with LaTeX; the number behind each equation is the thesis's own."""
+    lines = [
+        "# Equation sheet",
+        "",
+        "Everything the generated code computes, in the order in which it computes it. SI units and",
+        "radians; SAE axes: x forward, y right, z down. Angles are positive as in the thesis; the",
+        "forces of tires and tail act to the left (−y) for positive angles. Numbers in the right",
+        "column are those of H. W. Brott, *A Study of Aircraft Lateral Dynamics & Ground Stability*",
+        "(M.Sc. thesis, Rochester Institute of Technology, 1998).",
+        "",
+    ]
+    models = [module.model for module in derived if module.model is not None]
+    for model in models:
+        lines += _model_section(model)
+    lines += _section("Loads and stiffnesses", static_loads())
+    lines += _section("Stability: axle stiffnesses and state matrix", _state_matrix_chain())
+    lines += _section("Stability: Routh–Hurwitz", closed.routh_hurwitz(), _ROUTH_HURWITZ)
+    lines += _section("Stability: modes", closed.modes())
+    lines += _section("Stability: critical speeds", closed.speed_window(), _SPEEDS)
+    return "\n".join([*lines, *_symbol_table(models)])
+
+
+_ROUTH_HURWITZ = (
+    "The characteristic polynomial is $\\lambda^2 - \\operatorname{tr}A\\,\\lambda + \\det A$. The"
+    " aircraft is stable if and only if $\\operatorname{tr}A < 0$ and $\\det A > 0$. The trace is"
+    " negative whenever a stiffness is; the determinant decides."
+)
+_SPEEDS = (
+    "With $s = u^2$, $\\det A$ has the sign of $q_2 s^2 + q_1 s + q_0$: the aircraft is unstable"
+    " between $u_{\\mathrm{low}}$ and $u_{\\mathrm{high}}$, and at no speed if"
+    " $q_1 > -2\\sqrt{q_0 q_2}$, that is if"
+    " $\\sqrt{m a C_f} < \\sqrt{m b C_{f\\,\\mathrm{tail}}} + L\\sqrt{C_f k}$."
+)
+
+
+def _state_matrix_chain() -> Chain:
+    return (*closed.stiffnesses(), *closed.state_matrix())
+
+
+def _model_section(model: Model) -> Iterator[str]:
+    yield from _section(f"The {model.name} model", model.chain, model.summary)
+    yield "and the displacements, in aircraft coordinates and over the ground:"
+    yield ""
+    rates = [rf"\dot{{{q.latex}}} = {sp.latex(rate)}" for q, rate in path_rates().items()]
+    yield "$$ " + r",\quad ".join(rates) + " $$"
+    yield ""
+
+
+def _section(title: str, chain: Chain, text: str = "") -> Iterator[str]:
+    yield f"## {title}"
+    yield ""
+    if text:
+        yield text
+        yield ""
+    yield "| quantity | unit | equation | thesis |"
+    yield "|---|---|---|---|"
+    for equation in chain:
+        lhs, rhs = equation.lhs, sp.latex(equation.rhs)
+        body = f"${lhs.latex} = {rhs}$".replace("|", r"\vert ")
+        yield f"| {lhs.meaning} | {_unit(lhs)} | {body} | {equation.source} |"
+    yield ""
+
+
+def _symbol_table(models: Iterable[Model]) -> Iterator[str]:
+    yield "## Symbols"
+    yield ""
+    yield "| symbol | in code | name | unit | meaning |"
+    yield "|---|---|---|---|---|"
+    found: dict[str, Quantity] = {}
+    for model in models:
+        for q in (*model.states, *model.inputs, *model.parameters):
+            found.setdefault(q.name, q)
+    for q in found.values():
+        yield f"| ${q.latex}$ | `{q}` | {q.full_name} | {_unit(q)} | {q.meaning} |"
+    yield ""
+
+
+def _unit(q: Quantity) -> str:
+    return "–" if q.unit == "1" else q.unit
