@@ -1,0 +1,33 @@
+# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+"""CasADi functions generated from the derivation; see `names.FUNCTIONS` for the list.
+
+`from groundloop.generated import nonlinear_rk45` gives the compiled function; the modules
+(`nonlinear`, `linear`, ...) hold the readable builders.
+"""
+
+import casadi as ca
+
+from .library import StaleError, build, load
+from .names import DIGEST, FUNCTIONS, MODELS, QUANTITIES, Quantity, Signature
+
+__all__ = [
+    "DIGEST",
+    "FUNCTIONS",
+    "MODELS",
+    "QUANTITIES",
+    "Quantity",
+    "Signature",
+    "StaleError",
+    "build",
+    "load",
+]
+
+
+def __getattr__(name: str) -> ca.Function:
+    if name in FUNCTIONS:
+        return load(name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return [*__all__, *FUNCTIONS]

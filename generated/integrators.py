@@ -1,0 +1,49 @@
+# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+"""Integrators over one interval of time, built on a right-hand side.
+
+Time is scaled to the interval, so its length is an argument and not part of the code: one
+compiled function serves every time grid.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import casadi as ca
+
+#: Options of CasADi's `erk` for each method. The tape bounds the steps an adjoint can retrace.
+METHODS: dict[str, dict[str, Any]] = {
+    "rk4": {"method": "rk4", "step_size": 1.0},
+    "rk45": {"method": "rk45", "reltol": 1e-11, "abstol": 1e-13, "max_tape_steps": 2000},
+}
+
+
+def interval(rhs: ca.Function, name: str, method: str) -> ca.Function:
+    """Integrate x' = rhs(x, u, p) over an interval of length h under constant inputs.
+
+    Parameters
+    ----------
+    rhs : casadi.Function
+        (x, u, p) -> xdot.
+    name : str
+        Name of the result.
+    method : str
+        ``"rk4"``, one classical Runge-Kutta step of length h, or ``"rk45"``, adaptive steps.
+
+    Returns
+    -------
+    casadi.Function
+        (x0, u, p, h) -> xf, with h in seconds.
+    """
+    nx, nu, np = (rhs.size1_in(k) for k in range(3))
+    x, u, p, h = (ca.SX.sym(s, n) for s, n in zip("xuph", (nx, nu, np, 1), strict=True))
+    scaled = {"x": x, "u": u, "p": ca.vertcat(p, h), "ode": h * rhs(x, u, p)}
+    step = ca.integrator(f"{name}_step", "erk", scaled, 0.0, 1.0, METHODS[method])
+    x0, u, p, h = (ca.MX.sym(s, n) for s, n in zip("xuph", (nx, nu, np, 1), strict=True))
+    xf = step(x0=x0, u=u, p=ca.vertcat(p, h))["xf"]
+    return ca.Function(name, [x0, u, p, h], [xf], ["x0", "u", "p", "h"], ["xf"])
+
+
+def derivatives(function: ca.Function) -> list[ca.Function]:
+    """The function with the derivatives an optimiser asks for: fwd1, adj1 and fwd1_adj1."""
+    return [function, function.forward(1), function.reverse(1), function.reverse(1).forward(1)]

@@ -1,0 +1,157 @@
+# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+"""Compiled functions by name: compiled on first use, cached by content, loaded as externals.
+
+Set ``GROUNDLOOP_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
+a compiler the same functions run in CasADi's virtual machine: the same numbers, slower.
+"""
+
+from __future__ import annotations
+
+import atexit
+import difflib
+import hashlib
+import importlib
+import os
+import shutil
+import subprocess
+import tempfile
+import warnings
+from functools import cache
+from pathlib import Path
+
+import casadi as ca
+
+from .names import DIGEST, FUNCTIONS
+
+#: Contraction is off so that compiled code and virtual machine agree to the last bit or nearly so.
+FLAGS = ("-O2", "-march=native", "-ffp-contract=off", "-fPIC", "-shared")
+SOURCES = Path(__file__).resolve().parent / "c"
+
+
+class StaleError(RuntimeError):
+    """C code and Python code come from different equations."""
+
+
+class _NoCompilerError(RuntimeError):
+    """No working C compiler; the message says what was tried."""
+
+
+@cache
+def load(name: str) -> ca.Function:
+    """A generated function, compiled if there is a C compiler.
+
+    Parameters
+    ----------
+    name : str
+        One of `groundloop.generated.FUNCTIONS`, e.g. ``"nonlinear_rk45"``.
+
+    Raises
+    ------
+    KeyError
+        If there is no such function; the message names the nearest.
+    StaleError
+        If the C code does not belong to these equations.
+    """
+    source = SOURCES / f"{_entry(name)[2]}.c"
+    try:
+        return ca.external(name, str(compiled(source)))
+    except _NoCompilerError as problem:
+        _say_once(f"{problem}; using CasADi's virtual machine, which is several times slower")
+        return build(name)
+
+
+def build(name: str) -> ca.Function:
+    """The function `name` in CasADi's virtual machine, from its Python source."""
+    module, builder, _ = _entry(name)
+    function: ca.Function = getattr(importlib.import_module(f".{module}", __package__), builder)()
+    return function
+
+
+def compiled(source: Path) -> Path:
+    """Path of the shared library of a C file, compiled now if it is not in the cache.
+
+    The name of the library holds a hash of source, flags, compiler and processor, so a library
+    is never rebuilt under a path that a running process may have loaded.
+    """
+    text = source.read_bytes()
+    if DIGEST.encode() not in text[:400]:
+        raise StaleError(f"{source} was not generated with this package; run `make derive`")
+    compiler, target = _compiler()
+    key = hashlib.sha256(b"\0".join([text, " ".join(FLAGS).encode(), target])).hexdigest()[:20]
+    library = _cache_folder() / f"{source.stem}-{key}.so"
+    if not library.exists():
+        _compile(compiler, source, library)
+    elif not _is_intact(library):
+        warnings.warn(f"{library} is damaged; compiling it again", stacklevel=3)
+        _compile(compiler, source, library)
+    return library
+
+
+def _entry(name: str) -> tuple[str, str, str]:
+    if name not in FUNCTIONS:
+        near = difflib.get_close_matches(name, FUNCTIONS, n=3) or sorted(FUNCTIONS)
+        raise KeyError(f"no generated function {name!r}; there is {', '.join(near)}")
+    return FUNCTIONS[name]
+
+
+@cache
+def _compiler() -> tuple[str, bytes]:
+    """Path of the C compiler, and its version and target processor as it describes them."""
+    wanted = os.environ.get("CC", "cc")
+    path = shutil.which(wanted) or shutil.which("gcc")
+    if path is None:
+        raise _NoCompilerError(f"no C compiler ({wanted} is not on the PATH; set CC)")
+    probe = [path, *FLAGS, "-dM", "-E", "-x", "c", os.devnull]
+    macros = subprocess.run(probe, capture_output=True, check=False)
+    if macros.returncode != 0:
+        raise _NoCompilerError(f"{path} failed: {macros.stderr.decode(errors='replace').strip()}")
+    return path, macros.stdout
+
+
+def _compile(compiler: str, source: Path, library: Path) -> None:
+    """Compile beside the target and move into place, so that nobody sees half a library."""
+    with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:
+        product = Path(folder) / library.name
+        command = [compiler, *FLAGS, str(source), "-o", str(product), "-lm"]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            raise _NoCompilerError(f"{' '.join(command)} failed: {result.stderr.strip()}")
+        seal = _seal(product)
+        seal.write_text(hashlib.sha256(product.read_bytes()).hexdigest())
+        os.replace(seal, _seal(library))
+        os.replace(product, library)
+
+
+def _seal(library: Path) -> Path:
+    return library.with_suffix(".sha256")
+
+
+def _is_intact(library: Path) -> bool:
+    try:
+        return _seal(library).read_text() == hashlib.sha256(library.read_bytes()).hexdigest()
+    except OSError:
+        return False
+
+
+@cache
+def _cache_folder() -> Path:
+    """The user's cache folder, or a temporary one for this process if that can't be written."""
+    base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    folder = Path(os.environ.get("GROUNDLOOP_CACHE") or Path(base) / "groundloop").resolve()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except OSError as problem:
+        temporary = tempfile.mkdtemp(prefix="groundloop-")
+        atexit.register(shutil.rmtree, temporary, ignore_errors=True)
+        _say_once(
+            f"cannot write to the cache folder {folder} ({problem.strerror}); compiling for this"
+            " process only. Set GROUNDLOOP_CACHE to a folder that can be written"
+        )
+        return Path(temporary)
+
+
+@cache
+def _say_once(message: str) -> None:
+    warnings.warn(message, RuntimeWarning, stacklevel=4)

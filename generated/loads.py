@@ -1,0 +1,189 @@
+# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+"""What follows from CG and gear positions."""
+
+from functools import cache
+
+import casadi as ca
+
+
+@cache
+def L_from_loads() -> ca.Function:
+    """Main gear to tail wheel (Section 4.2).
+
+    Inputs
+    ------
+    a : scalar [m], main gear ahead of the CG (positive: taildragger)
+    b : scalar [m], CG ahead of the vertical tail and the tail wheel
+
+    Outputs
+    -------
+    L : 1 x 1, main gear to tail wheel [m]
+    """
+    a = ca.SX.sym("a")
+    b = ca.SX.sym("b")
+    L = a + b  # Section 4.2
+    return ca.Function(
+        "L_from_loads",
+        [a, b],
+        [L],
+        ["a", "b"],
+        ["L"],
+    )
+
+
+@cache
+def f_from_loads() -> ca.Function:
+    """Fraction of the weight on the main gear (App. A.6).
+
+    Inputs
+    ------
+    b : scalar [m], CG ahead of the vertical tail and the tail wheel
+    L : scalar [m], main gear to tail wheel
+
+    Outputs
+    -------
+    f : 1 x 1, fraction of the weight on the main gear [1]
+
+    Thesis
+    ------
+    App. A.6
+    """
+    b = ca.SX.sym("b")
+    L = ca.SX.sym("L")
+    f = b/L  # App. A.6
+    return ca.Function(
+        "f_from_loads",
+        [b, L],
+        [f],
+        ["b", "L"],
+        ["f"],
+    )
+
+
+@cache
+def Fz_from_loads() -> ca.Function:
+    """Vertical load on one main tire (App. A.6).
+
+    Inputs
+    ------
+    m : scalar [kg], total mass
+    g : scalar [m/s^2], acceleration due to gravity
+    f : scalar [1], fraction of the weight on the main gear
+
+    Outputs
+    -------
+    Fz : 1 x 1, vertical load on one main tire [N]
+
+    Thesis
+    ------
+    App. A.6
+    """
+    m = ca.SX.sym("m")
+    g = ca.SX.sym("g")
+    f = ca.SX.sym("f")
+    Fz = (1/2)*f*g*m  # App. A.6
+    return ca.Function(
+        "Fz_from_loads",
+        [m, g, f],
+        [Fz],
+        ["m", "g", "f"],
+        ["Fz"],
+    )
+
+
+@cache
+def F_tail_load_from_loads() -> ca.Function:
+    """Vertical load on the tail wheel (App. A.6).
+
+    Inputs
+    ------
+    m : scalar [kg], total mass
+    g : scalar [m/s^2], acceleration due to gravity
+    f : scalar [1], fraction of the weight on the main gear
+
+    Outputs
+    -------
+    F_tail_load : 1 x 1, vertical load on the tail wheel [N]
+
+    Thesis
+    ------
+    App. A.6
+    """
+    m = ca.SX.sym("m")
+    g = ca.SX.sym("g")
+    f = ca.SX.sym("f")
+    F_tail_load = g*m*(1 - f)  # App. A.6
+    return ca.Function(
+        "F_tail_load_from_loads",
+        [m, g, f],
+        [F_tail_load],
+        ["m", "g", "f"],
+        ["F_tail_load"],
+    )
+
+
+@cache
+def C_alpha_from_loads() -> ca.Function:
+    """Cornering stiffness of one main tire (Eq. 3.2).
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    B3 : scalar [1/rad], cornering coefficient at zero load
+    C3 : scalar [1/(rad N)], its change with load
+
+    Outputs
+    -------
+    C_alpha : 1 x 1, cornering stiffness of one main tire [N/rad]
+
+    Thesis
+    ------
+    Eq. 3.3, Eq. 3.2
+    """
+    Fz = ca.SX.sym("Fz")
+    B3 = ca.SX.sym("B3")
+    C3 = ca.SX.sym("C3")
+    C_c = B3 + C3*Fz  # Eq. 3.3
+    C_alpha = C_c*Fz  # Eq. 3.2
+    return ca.Function(
+        "C_alpha_from_loads",
+        [Fz, B3, C3],
+        [C_alpha],
+        ["Fz", "B3", "C3"],
+        ["C_alpha"],
+    )
+
+
+@cache
+def Ct_from_loads() -> ca.Function:
+    """Cornering stiffness of the tail wheel (Fig. 3.8).
+
+    Inputs
+    ------
+    K1 : scalar [1/rad], tail wheel stiffness over load: linear term
+    K2 : scalar [1/(rad N)], quadratic term
+    K3 : scalar [1/(rad N^2)], cubic term
+    K4 : scalar [1/(rad N^3)], quartic term
+    F_tail_load : scalar [N], vertical load on the tail wheel
+
+    Outputs
+    -------
+    Ct : 1 x 1, cornering stiffness of the tail wheel [N/rad]
+
+    Thesis
+    ------
+    Fig. 3.8
+    """
+    K1 = ca.SX.sym("K1")
+    K2 = ca.SX.sym("K2")
+    K3 = ca.SX.sym("K3")
+    K4 = ca.SX.sym("K4")
+    F_tail_load = ca.SX.sym("F_tail_load")
+    Ct = F_tail_load**4*K4 + F_tail_load**3*K3 + F_tail_load**2*K2 + F_tail_load*K1  # Fig. 3.8
+    return ca.Function(
+        "Ct_from_loads",
+        [K1, K2, K3, K4, F_tail_load],
+        [Ct],
+        ["K1", "K2", "K3", "K4", "F_tail_load"],
+        ["Ct"],
+    )

@@ -1,0 +1,145 @@
+# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+"""Names, units and meanings; signatures of the models; where each function is."""
+
+from typing import NamedTuple
+
+
+class Quantity(NamedTuple):
+    """What a symbol stands for; SI units with radians."""
+
+    symbol: str
+    name: str
+    unit: str
+    meaning: str
+    latex: str
+
+
+class Signature(NamedTuple):
+    """Order of the vectors of a model: x' = f(x, u, p) and y = g(x, u, p)."""
+
+    states: tuple[str, ...]
+    dynamic: tuple[str, ...]
+    inputs: tuple[str, ...]
+    parameters: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+
+DIGEST = "fbb639430b18130a"
+
+QUANTITIES = {
+    q.symbol: q
+    for q in (
+        Quantity("v", "lateral_velocity", "m/s", "velocity of the CG along the body y axis, to the right", "v"),
+        Quantity("r", "yaw_rate", "rad/s", "angular velocity about the body z axis, nose right", "r"),
+        Quantity("y", "lateral_displacement", "m", "integral of v: displacement in aircraft coordinates", "y"),
+        Quantity("theta", "rotation", "rad", "integral of r: rotation in aircraft coordinates", "\\theta"),
+        Quantity("X", "distance", "m", "position of the CG along the runway", "X"),
+        Quantity("Y", "offset", "m", "position of the CG across the runway, to the right", "Y"),
+        Quantity("psi", "heading", "rad", "angle from the runway to the body x axis, nose right", "\\psi"),
+        Quantity("m", "mass", "kg", "total mass", "m"),
+        Quantity("Izz", "yaw_inertia", "kg m^2", "moment of inertia about the body z axis", "I_{zz}"),
+        Quantity("a", "main_gear_arm", "m", "main gear ahead of the CG (positive: taildragger)", "a"),
+        Quantity("b", "tail_arm", "m", "CG ahead of the vertical tail and the tail wheel", "b"),
+        Quantity("u", "speed", "m/s", "forward speed, constant", "u"),
+        Quantity("rho", "air_density", "kg/m^3", "density of the air", "\\rho"),
+        Quantity("Ap", "tail_area", "m^2", "area of the vertical tail", "A_p"),
+        Quantity("CL_gamma", "tail_lift_slope", "1/rad", "lift-curve slope of the vertical tail", "C_{L\\gamma}"),
+        Quantity("C_alpha", "cornering_stiffness", "N/rad", "cornering stiffness of one main tire", "C_\\alpha"),
+        Quantity("Ct", "tail_wheel_stiffness", "N/rad", "cornering stiffness of the tail wheel", "C_{f\\,\\mathrm{tail}}"),
+        Quantity("Fz", "tire_load", "N", "vertical load on one main tire", "F_z"),
+        Quantity("B3", "cornering_coefficient_intercept", "1/rad", "cornering coefficient at zero load", "B_3"),
+        Quantity("C3", "cornering_coefficient_slope", "1/(rad N)", "its change with load", "C_3"),
+        Quantity("B5", "friction_coefficient_intercept", "1", "lateral friction coefficient at zero load", "B_5"),
+        Quantity("C5", "friction_coefficient_slope", "1/N", "its change with load", "C_5"),
+        Quantity("B1", "magic_formula_B", "1", "magic formula: stiffness factor", "B_1"),
+        Quantity("C1", "magic_formula_C", "1", "magic formula: shape factor", "C_1"),
+        Quantity("D1", "magic_formula_D", "1", "magic formula: peak factor", "D_1"),
+        Quantity("E1", "magic_formula_E", "1", "magic formula: curvature factor", "E_1"),
+        Quantity("g", "gravity", "m/s^2", "acceleration due to gravity", "g"),
+        Quantity("K1", "tail_wheel_K1", "1/rad", "tail wheel stiffness over load: linear term", "K_1"),
+        Quantity("K2", "tail_wheel_K2", "1/(rad N)", "quadratic term", "K_2"),
+        Quantity("K3", "tail_wheel_K3", "1/(rad N^2)", "cubic term", "K_3"),
+        Quantity("K4", "tail_wheel_K4", "1/(rad N^3)", "quartic term", "K_4"),
+        Quantity("F_disturbance", "disturbance", "N", "side force on the vertical tail (a crosswind), to the right", "F_{y\\,\\mathrm{disturbance}}"),
+        Quantity("alpha", "main_gear_slip_angle", "rad", "slip angle of the main tires", "\\alpha"),
+        Quantity("gamma", "tail_angle", "rad", "angle of incidence of the tail and its wheel", "\\gamma"),
+        Quantity("beta", "sideslip_angle", "rad", "angle of the CG's velocity to the x axis", "\\beta"),
+        Quantity("F_main", "main_gear_force", "N", "lateral force of the two main tires, to the left", "F_{y\\,\\mathrm{main}}"),
+        Quantity("F_tail", "tail_force", "N", "side force of the vertical tail, to the left", "F_{y\\,\\mathrm{tail}}"),
+        Quantity("F_tail_wheel", "tail_wheel_force", "N", "lateral force of the tail wheel, to the left", "F_{y\\,\\mathrm{tailwheel}}"),
+        Quantity("a_y", "lateral_acceleration", "m/s^2", "acceleration of the CG along y", "a_y"),
+        Quantity("sum_F", "side_force", "N", "sum of the forces along y", "\\sum F_y"),
+        Quantity("sum_M", "yaw_moment", "N m", "sum of the moments about z through the CG", "\\sum M_z"),
+        Quantity("L", "wheelbase", "m", "main gear to tail wheel", "L"),
+        Quantity("f", "main_gear_weight_fraction", "1", "fraction of the weight on the main gear", "f"),
+        Quantity("F_tail_load", "tail_wheel_load", "N", "vertical load on the tail wheel", "F_{z\\,\\mathrm{tail}}"),
+        Quantity("F_y", "tire_force", "N", "lateral force of one tire, to the left for a positive slip angle", "F_{y}"),
+        Quantity("alpha_bar", "normalised_slip_angle", "1", "normalised slip angle", "\\bar{\\alpha}"),
+        Quantity("F_bar", "normalised_force", "1", "normalised lateral force", "\\bar{F}_y"),
+        Quantity("C_c", "cornering_coefficient", "1/rad", "cornering stiffness over load", "C_{c}"),
+        Quantity("mu", "friction_coefficient", "1", "lateral friction coefficient", "\\mu_y"),
+        Quantity("F_peak", "peak_force", "N", "largest lateral force at a load", "F_{y\\,\\max}"),
+        Quantity("A_vv", "A_vv", "1/s", "d v_dot / d v", "A_{vv}"),
+        Quantity("A_vr", "A_vr", "m/s", "d v_dot / d r", "A_{vr}"),
+        Quantity("A_rv", "A_rv", "1/(m s)", "d r_dot / d v", "A_{rv}"),
+        Quantity("A_rr", "A_rr", "1/s", "d r_dot / d r", "A_{rr}"),
+        Quantity("trace", "trace", "1/s", "tr A: stable needs < 0", "\\operatorname{tr} A"),
+        Quantity("det", "determinant", "1/s^2", "det A: stable needs > 0", "\\det A"),
+        Quantity("discriminant", "discriminant", "1/s^2", "negative: the modes oscillate", "\\Delta"),
+        Quantity("re_1", "re_1", "1/s", "real part of the first eigenvalue", "\\Re\\lambda_1"),
+        Quantity("im_1", "im_1", "rad/s", "imaginary part of the first eigenvalue", "\\Im\\lambda_1"),
+        Quantity("re_2", "re_2", "1/s", "real part of the second eigenvalue", "\\Re\\lambda_2"),
+        Quantity("im_2", "im_2", "rad/s", "imaginary part of the second eigenvalue", "\\Im\\lambda_2"),
+        Quantity("decay_rate", "decay_rate", "1/s", "-max Re(eigenvalue): stable if positive", "d"),
+        Quantity("natural_frequency", "natural_frequency", "rad/s", "undamped natural frequency", "\\omega_n"),
+        Quantity("damped_frequency", "damped_frequency", "rad/s", "|Im(eigenvalue)|", "\\omega_d"),
+        Quantity("damping_ratio", "damping_ratio", "1", "above 1: two real eigenvalues", "\\zeta"),
+        Quantity("u_low", "lower_critical_speed", "m/s", "the aircraft is unstable from here", "u_{\\mathrm{low}}"),
+        Quantity("u_high", "upper_critical_speed", "m/s", "to here", "u_{\\mathrm{high}}"),
+    )
+}
+
+MODELS = {
+    "linear": Signature(
+        ("v", "r", "y", "theta", "X", "Y", "psi",),
+        ("v", "r",),
+        ("F_disturbance",),
+        ("m", "Izz", "a", "b", "u", "rho", "Ap", "CL_gamma", "C_alpha", "Ct",),
+        ("alpha", "gamma", "beta", "F_main", "F_tail", "F_tail_wheel", "a_y", "sum_F", "sum_M",),
+    ),
+    "nonlinear": Signature(
+        ("v", "r", "y", "theta", "X", "Y", "psi",),
+        ("v", "r",),
+        ("F_disturbance",),
+        ("m", "Izz", "a", "b", "u", "rho", "Ap", "CL_gamma", "Ct", "Fz", "B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1",),
+        ("alpha", "gamma", "beta", "F_main", "F_tail", "F_tail_wheel", "a_y", "sum_F", "sum_M",),
+    ),
+}
+
+#: Name of a function -> module, builder, C file.
+FUNCTIONS = {
+    "linear_rhs": ("linear", "rhs", "linear"),
+    "linear_outputs": ("linear", "outputs", "linear"),
+    "linear_jacobians": ("linear", "jacobians", "linear"),
+    "linear_rk4": ("linear", "rk4", "linear_rk4"),
+    "linear_rk45": ("linear", "rk45", "linear_rk45"),
+    "nonlinear_rhs": ("nonlinear", "rhs", "nonlinear"),
+    "nonlinear_outputs": ("nonlinear", "outputs", "nonlinear"),
+    "nonlinear_jacobians": ("nonlinear", "jacobians", "nonlinear"),
+    "nonlinear_rk4": ("nonlinear", "rk4", "nonlinear_rk4"),
+    "nonlinear_rk45": ("nonlinear", "rk45", "nonlinear_rk45"),
+    "L_from_loads": ("loads", "L_from_loads", "loads"),
+    "f_from_loads": ("loads", "f_from_loads", "loads"),
+    "Fz_from_loads": ("loads", "Fz_from_loads", "loads"),
+    "F_tail_load_from_loads": ("loads", "F_tail_load_from_loads", "loads"),
+    "C_alpha_from_loads": ("loads", "C_alpha_from_loads", "loads"),
+    "Ct_from_loads": ("loads", "Ct_from_loads", "loads"),
+    "tire_force": ("tire", "tire_force", "tire"),
+    "magic_formula": ("tire", "magic_formula", "tire"),
+    "measured_coefficients": ("tire", "measured_coefficients", "tire"),
+    "normalised_data": ("tire", "normalised_data", "tire"),
+    "state_matrix": ("stability", "state_matrix", "stability"),
+    "routh_hurwitz": ("stability", "routh_hurwitz", "stability"),
+    "modes": ("stability", "modes", "stability"),
+    "speed_window": ("stability", "speed_window", "stability"),
+}
