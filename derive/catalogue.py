@@ -113,20 +113,19 @@ def _ordered(chain: Chain) -> tuple[Quantity, ...]:
 
 
 def _loads_module() -> Module:
-    """One function for each quantity that follows from others."""
+    """One function for each parameter that follows from others where it is not given."""
     chain = loads.static_loads()
-    given = (*PARAMETERS, loads.L, loads.f, loads.F_tail_load)
     functions = []
     for equation in chain:
-        if equation.lhs not in given:
+        if equation.lhs not in PARAMETERS:
             continue
         # stop at every quantity that an aircraft file may give instead
-        inner = tuple(e for e in chain if e is equation or e.lhs not in given)
+        inner = tuple(e for e in chain if e is equation or e.lhs not in PARAMETERS)
         inner = needed(inner, [equation.lhs])
         free = {s for e in inner for s in e.rhs.free_symbols} - {e.lhs for e in inner}
-        arguments = [q for q in given if q in free]
+        arguments = [q for q in PARAMETERS if q in free]
         summary = f"{equation.lhs.meaning[0].upper()}{equation.lhs.meaning[1:]} ({equation.source})."
-        name = f"{equation.lhs}_from_loads"
+        name = f"{equation.lhs}_follows"
         functions.append(scalar_function(name, summary, arguments, [equation.lhs], inner))
     return Module("loads", "What follows from CG and gear positions.", tuple(functions))
 

@@ -143,6 +143,7 @@ def _names_source(derived: tuple[Module, ...]) -> str:
         "    unit: str",
         "    meaning: str",
         "    latex: str",
+        "    sign: str",
         "",
         "",
         "class Signature(NamedTuple):",
@@ -162,7 +163,8 @@ def _names_source(derived: tuple[Module, ...]) -> str:
         "    for q in (",
     ]
     for q in all_quantities(derived):
-        fields = ", ".join(_quoted(x) for x in (q.name, q.full_name, q.unit, q.meaning, q.latex))
+        values = (q.name, q.full_name, q.unit, q.meaning, q.latex, q.sign)
+        fields = ", ".join(map(_quoted, values))
         lines.append(f"        Quantity({fields}),")
     lines += ["    )", "}", "", "MODELS = {"]
     for model in (module.model for module in derived if module.model is not None):

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 4a0caa765fee57d6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """What follows from CG and gear positions."""
 
 from functools import cache
@@ -7,7 +7,57 @@ import casadi as ca
 
 
 @cache
-def L_from_loads() -> ca.Function:
+def a_follows() -> ca.Function:
+    """Main gear ahead of the CG (positive: taildragger) (Section 4.2.2).
+
+    Inputs
+    ------
+    x_cg : scalar [m], the CG behind the datum
+    x_main : scalar [m], the main gear behind it
+
+    Outputs
+    -------
+    a : 1 x 1, main gear ahead of the CG (positive: taildragger) [m]
+    """
+    x_cg = ca.SX.sym("x_cg")
+    x_main = ca.SX.sym("x_main")
+    a = x_cg - x_main  # Section 4.2.2
+    return ca.Function(
+        "a_follows",
+        [x_cg, x_main],
+        [a],
+        ["x_cg", "x_main"],
+        ["a"],
+    )
+
+
+@cache
+def b_follows() -> ca.Function:
+    """CG ahead of the vertical tail and the tail wheel (Section 4.2.2).
+
+    Inputs
+    ------
+    x_cg : scalar [m], the CG behind the datum
+    x_tail : scalar [m], vertical tail and tail wheel behind it
+
+    Outputs
+    -------
+    b : 1 x 1, CG ahead of the vertical tail and the tail wheel [m]
+    """
+    x_cg = ca.SX.sym("x_cg")
+    x_tail = ca.SX.sym("x_tail")
+    b = -x_cg + x_tail  # Section 4.2.2
+    return ca.Function(
+        "b_follows",
+        [x_cg, x_tail],
+        [b],
+        ["x_cg", "x_tail"],
+        ["b"],
+    )
+
+
+@cache
+def L_follows() -> ca.Function:
     """Main gear to tail wheel (Section 4.2).
 
     Inputs
@@ -23,7 +73,7 @@ def L_from_loads() -> ca.Function:
     b = ca.SX.sym("b")
     L = a + b  # Section 4.2
     return ca.Function(
-        "L_from_loads",
+        "L_follows",
         [a, b],
         [L],
         ["a", "b"],
@@ -32,7 +82,7 @@ def L_from_loads() -> ca.Function:
 
 
 @cache
-def f_from_loads() -> ca.Function:
+def f_follows() -> ca.Function:
     """Fraction of the weight on the main gear (App. A.6).
 
     Inputs
@@ -52,7 +102,7 @@ def f_from_loads() -> ca.Function:
     L = ca.SX.sym("L")
     f = b/L  # App. A.6
     return ca.Function(
-        "f_from_loads",
+        "f_follows",
         [b, L],
         [f],
         ["b", "L"],
@@ -61,7 +111,7 @@ def f_from_loads() -> ca.Function:
 
 
 @cache
-def Fz_from_loads() -> ca.Function:
+def Fz_follows() -> ca.Function:
     """Vertical load on one main tire (App. A.6).
 
     Inputs
@@ -83,7 +133,7 @@ def Fz_from_loads() -> ca.Function:
     f = ca.SX.sym("f")
     Fz = (1/2)*f*g*m  # App. A.6
     return ca.Function(
-        "Fz_from_loads",
+        "Fz_follows",
         [m, g, f],
         [Fz],
         ["m", "g", "f"],
@@ -92,7 +142,7 @@ def Fz_from_loads() -> ca.Function:
 
 
 @cache
-def F_tail_load_from_loads() -> ca.Function:
+def F_tail_load_follows() -> ca.Function:
     """Vertical load on the tail wheel (App. A.6).
 
     Inputs
@@ -114,7 +164,7 @@ def F_tail_load_from_loads() -> ca.Function:
     f = ca.SX.sym("f")
     F_tail_load = g*m*(1 - f)  # App. A.6
     return ca.Function(
-        "F_tail_load_from_loads",
+        "F_tail_load_follows",
         [m, g, f],
         [F_tail_load],
         ["m", "g", "f"],
@@ -123,13 +173,13 @@ def F_tail_load_from_loads() -> ca.Function:
 
 
 @cache
-def C_alpha_from_loads() -> ca.Function:
+def C_alpha_follows() -> ca.Function:
     """Cornering stiffness of one main tire (Eq. 3.2).
 
     Inputs
     ------
     Fz : scalar [N], vertical load on one main tire
-    B3 : scalar [1/rad], cornering coefficient at zero load
+    B3 : scalar [1/rad], cornering coefficient at no load
     C3 : scalar [1/(rad N)], its change with load
 
     Outputs
@@ -146,7 +196,7 @@ def C_alpha_from_loads() -> ca.Function:
     C_c = B3 + C3*Fz  # Eq. 3.3
     C_alpha = C_c*Fz  # Eq. 3.2
     return ca.Function(
-        "C_alpha_from_loads",
+        "C_alpha_follows",
         [Fz, B3, C3],
         [C_alpha],
         ["Fz", "B3", "C3"],
@@ -155,16 +205,16 @@ def C_alpha_from_loads() -> ca.Function:
 
 
 @cache
-def Ct_from_loads() -> ca.Function:
+def Ct_follows() -> ca.Function:
     """Cornering stiffness of the tail wheel (Fig. 3.8).
 
     Inputs
     ------
+    F_tail_load : scalar [N], vertical load on the tail wheel
     K1 : scalar [1/rad], tail wheel stiffness over load: linear term
     K2 : scalar [1/(rad N)], quadratic term
     K3 : scalar [1/(rad N^2)], cubic term
     K4 : scalar [1/(rad N^3)], quartic term
-    F_tail_load : scalar [N], vertical load on the tail wheel
 
     Outputs
     -------
@@ -174,16 +224,16 @@ def Ct_from_loads() -> ca.Function:
     ------
     Fig. 3.8
     """
+    F_tail_load = ca.SX.sym("F_tail_load")
     K1 = ca.SX.sym("K1")
     K2 = ca.SX.sym("K2")
     K3 = ca.SX.sym("K3")
     K4 = ca.SX.sym("K4")
-    F_tail_load = ca.SX.sym("F_tail_load")
     Ct = F_tail_load**4*K4 + F_tail_load**3*K3 + F_tail_load**2*K2 + F_tail_load*K1  # Fig. 3.8
     return ca.Function(
-        "Ct_from_loads",
-        [K1, K2, K3, K4, F_tail_load],
+        "Ct_follows",
+        [F_tail_load, K1, K2, K3, K4],
         [Ct],
-        ["K1", "K2", "K3", "K4", "F_tail_load"],
+        ["F_tail_load", "K1", "K2", "K3", "K4"],
         ["Ct"],
     )

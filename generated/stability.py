@@ -1,4 +1,4 @@
-# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 4a0caa765fee57d6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Closed forms of the linear model (Section 4.7 and what it leaves unsaid)."""
 
 from functools import cache
@@ -13,7 +13,7 @@ def state_matrix() -> ca.Function:
     Inputs
     ------
     m : scalar [kg], total mass
-    Izz : scalar [kg m^2], moment of inertia about the body z axis
+    Izz : scalar [kg m^2], moment of inertia about the z axis
     a : scalar [m], main gear ahead of the CG (positive: taildragger)
     b : scalar [m], CG ahead of the vertical tail and the tail wheel
     u : scalar [m/s], forward speed, constant
@@ -70,7 +70,7 @@ def routh_hurwitz() -> ca.Function:
     Inputs
     ------
     m : scalar [kg], total mass
-    Izz : scalar [kg m^2], moment of inertia about the body z axis
+    Izz : scalar [kg m^2], moment of inertia about the z axis
     a : scalar [m], main gear ahead of the CG (positive: taildragger)
     b : scalar [m], CG ahead of the vertical tail and the tail wheel
     u : scalar [m/s], forward speed, constant

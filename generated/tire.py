@@ -1,4 +1,4 @@
-# Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 4a0caa765fee57d6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """The tire by itself (Chapter 3)."""
 
 from functools import cache
@@ -14,9 +14,9 @@ def tire_force() -> ca.Function:
     ------
     alpha : scalar [rad], slip angle of the main tires
     Fz : scalar [N], vertical load on one main tire
-    B3 : scalar [1/rad], cornering coefficient at zero load
+    B3 : scalar [1/rad], cornering coefficient at no load
     C3 : scalar [1/(rad N)], its change with load
-    B5 : scalar [1], lateral friction coefficient at zero load
+    B5 : scalar [1], friction coefficient at no load
     C5 : scalar [1/N], its change with load
     B1 : scalar [1], magic formula: stiffness factor
     C1 : scalar [1], magic formula: shape factor

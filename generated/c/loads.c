@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest fbb639430b18130a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 4a0caa765fee57d6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -36,7 +36,15 @@
 #define casadi_f21 CASADI_PREFIX(f21)
 #define casadi_f22 CASADI_PREFIX(f22)
 #define casadi_f23 CASADI_PREFIX(f23)
+#define casadi_f24 CASADI_PREFIX(f24)
+#define casadi_f25 CASADI_PREFIX(f25)
+#define casadi_f26 CASADI_PREFIX(f26)
+#define casadi_f27 CASADI_PREFIX(f27)
+#define casadi_f28 CASADI_PREFIX(f28)
+#define casadi_f29 CASADI_PREFIX(f29)
 #define casadi_f3 CASADI_PREFIX(f3)
+#define casadi_f30 CASADI_PREFIX(f30)
+#define casadi_f31 CASADI_PREFIX(f31)
 #define casadi_f4 CASADI_PREFIX(f4)
 #define casadi_f5 CASADI_PREFIX(f5)
 #define casadi_f6 CASADI_PREFIX(f6)
@@ -76,59 +84,59 @@ CASADI_SYMBOL_EXPORT int loads_casadi_real_size(void) { return (int) sizeof(casa
 static const casadi_int casadi_s0[3] = {1, 1, 1};
 static const casadi_int casadi_s1[4] = {1, 1, 0, 0};
 
-/* L_from_loads:(a,b)->(L) */
+/* a_follows:(x_cg,x_main)->(a) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
-  a0=(a0+a1);
+  a0=(a0-a1);
   if (res[0]!=0) res[0][0]=a0;
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int L_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int a_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f0(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int L_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int a_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void L_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void a_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void L_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void a_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void L_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void a_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int L_from_loads_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int a_follows_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int L_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int a_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real L_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real a_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* L_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* a_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "x_cg";
+    case 1: return "x_main";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* a_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "a";
-    case 1: return "b";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* L_from_loads_name_out(casadi_int i) {
-  switch (i) {
-    case 0: return "L";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* L_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* a_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -136,14 +144,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* L_from_loads_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* L_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* a_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int L_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int a_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 2;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -151,7 +159,7 @@ CASADI_SYMBOL_EXPORT int L_from_loads_work(casadi_int *sz_arg, casadi_int* sz_re
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int L_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int a_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -159,62 +167,62 @@ CASADI_SYMBOL_EXPORT int L_from_loads_work_bytes(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-/* fwd1_L_from_loads:(a,b,out_L[1x1,0nz],fwd_a,fwd_b)->(fwd_L) */
+/* fwd1_a_follows:(x_cg,x_main,out_a[1x1,0nz],fwd_x_cg,fwd_x_main)->(fwd_a) */
 static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[4]? arg[4][0] : 0;
-  a0=(a0+a1);
+  a0=(a0-a1);
   if (res[0]!=0) res[0][0]=a0;
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_L_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int fwd1_a_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f1(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_L_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_a_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_L_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_a_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_L_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_a_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_L_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_a_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_L_from_loads_n_in(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_a_follows_n_in(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_L_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_a_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_L_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_a_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_L_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_a_follows_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "a";
-    case 1: return "b";
-    case 2: return "out_L";
-    case 3: return "fwd_a";
-    case 4: return "fwd_b";
+    case 0: return "x_cg";
+    case 1: return "x_main";
+    case 2: return "out_a";
+    case 3: return "fwd_x_cg";
+    case 4: return "fwd_x_main";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_L_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_a_follows_name_out(casadi_int i) {
   switch (i) {
-    case 0: return "fwd_L";
+    case 0: return "fwd_a";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_L_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_a_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -225,14 +233,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_L_from_loads_sparsity_in(casadi_int 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_L_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_a_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_L_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_a_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -240,7 +248,7 @@ CASADI_SYMBOL_EXPORT int fwd1_L_from_loads_work(casadi_int *sz_arg, casadi_int* 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_L_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_a_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -248,61 +256,62 @@ CASADI_SYMBOL_EXPORT int fwd1_L_from_loads_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* adj1_L_from_loads:(a,b,out_L[1x1,0nz],adj_L)->(adj_a,adj_b) */
+/* adj1_a_follows:(x_cg,x_main,out_a[1x1,0nz],adj_a)->(adj_x_cg,adj_x_main) */
 static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=arg[3]? arg[3][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
+  a0=(-a0);
   if (res[1]!=0) res[1][0]=a0;
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_L_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int adj1_a_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f2(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int adj1_L_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int adj1_a_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void adj1_L_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void adj1_a_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_L_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void adj1_a_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_L_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void adj1_a_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_L_from_loads_n_in(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_a_follows_n_in(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_L_from_loads_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_a_follows_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real adj1_L_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real adj1_a_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_L_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_a_follows_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "a";
-    case 1: return "b";
-    case 2: return "out_L";
-    case 3: return "adj_L";
+    case 0: return "x_cg";
+    case 1: return "x_main";
+    case 2: return "out_a";
+    case 3: return "adj_a";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_L_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_a_follows_name_out(casadi_int i) {
   switch (i) {
-    case 0: return "adj_a";
-    case 1: return "adj_b";
+    case 0: return "adj_x_cg";
+    case 1: return "adj_x_main";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_L_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_a_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -312,7 +321,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_L_from_loads_sparsity_in(casadi_int 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_L_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_a_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -320,7 +329,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_L_from_loads_sparsity_out(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT int adj1_L_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_a_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 4;
   if (sz_res) *sz_res = 2;
   if (sz_iw) *sz_iw = 0;
@@ -328,7 +337,7 @@ CASADI_SYMBOL_EXPORT int adj1_L_from_loads_work(casadi_int *sz_arg, casadi_int* 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_L_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_a_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 2*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -336,67 +345,68 @@ CASADI_SYMBOL_EXPORT int adj1_L_from_loads_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* fwd1_adj1_L_from_loads:(a,b,out_L[1x1,0nz],adj_L,out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],fwd_a,fwd_b,fwd_out_L[1x1,0nz],fwd_adj_L)->(fwd_adj_a,fwd_adj_b) */
+/* fwd1_adj1_a_follows:(x_cg,x_main,out_a[1x1,0nz],adj_a,out_adj_x_cg[1x1,0nz],out_adj_x_main[1x1,0nz],fwd_x_cg,fwd_x_main,fwd_out_a[1x1,0nz],fwd_adj_a)->(fwd_adj_x_cg,fwd_adj_x_main) */
 static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=arg[9]? arg[9][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
+  a0=(-a0);
   if (res[1]!=0) res[1][0]=a0;
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_L_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f3(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_L_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_L_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_a_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_L_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_a_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_L_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_a_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_L_from_loads_n_in(void) { return 10;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_a_follows_n_in(void) { return 10;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_L_from_loads_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_a_follows_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_L_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_a_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_L_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_a_follows_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "a";
-    case 1: return "b";
-    case 2: return "out_L";
-    case 3: return "adj_L";
-    case 4: return "out_adj_a";
-    case 5: return "out_adj_b";
-    case 6: return "fwd_a";
-    case 7: return "fwd_b";
-    case 8: return "fwd_out_L";
-    case 9: return "fwd_adj_L";
+    case 0: return "x_cg";
+    case 1: return "x_main";
+    case 2: return "out_a";
+    case 3: return "adj_a";
+    case 4: return "out_adj_x_cg";
+    case 5: return "out_adj_x_main";
+    case 6: return "fwd_x_cg";
+    case 7: return "fwd_x_main";
+    case 8: return "fwd_out_a";
+    case 9: return "fwd_adj_a";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_L_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_a_follows_name_out(casadi_int i) {
   switch (i) {
-    case 0: return "fwd_adj_a";
-    case 1: return "fwd_adj_b";
+    case 0: return "fwd_adj_x_cg";
+    case 1: return "fwd_adj_x_main";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_L_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_a_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -412,7 +422,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_L_from_loads_sparsity_in(casadi
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_L_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_a_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -420,7 +430,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_L_from_loads_sparsity_out(casad
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_L_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 2;
   if (sz_iw) *sz_iw = 0;
@@ -428,7 +438,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_L_from_loads_work(casadi_int *sz_arg, casadi_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_L_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 2*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -436,8 +446,730 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_L_from_loads_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* f_from_loads:(b,L)->(f) */
+/* b_follows:(x_cg,x_tail)->(b) */
 static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[1]? arg[1][0] : 0;
+  a1=arg[0]? arg[0][0] : 0;
+  a0=(a0-a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int b_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f4(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int b_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void b_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void b_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void b_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int b_follows_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int b_follows_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real b_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* b_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "x_cg";
+    case 1: return "x_tail";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* b_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* b_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* b_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int b_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int b_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_b_follows:(x_cg,x_tail,out_b[1x1,0nz],fwd_x_cg,fwd_x_tail)->(fwd_b) */
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[4]? arg[4][0] : 0;
+  a1=arg[3]? arg[3][0] : 0;
+  a0=(a0-a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_b_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f5(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_b_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_b_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_b_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_b_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_b_follows_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_b_follows_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_b_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_b_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "x_cg";
+    case 1: return "x_tail";
+    case 2: return "out_b";
+    case 3: return "fwd_x_cg";
+    case 4: return "fwd_x_tail";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_b_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_b_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_b_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_b_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_b_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_b_follows:(x_cg,x_tail,out_b[1x1,0nz],adj_b)->(adj_x_cg,adj_x_tail) */
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=(-a0);
+  if (res[0]!=0) res[0][0]=a1;
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_b_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f6(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_b_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_b_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_b_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_b_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_b_follows_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_b_follows_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_b_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_b_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "x_cg";
+    case 1: return "x_tail";
+    case 2: return "out_b";
+    case 3: return "adj_b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_b_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_x_cg";
+    case 1: return "adj_x_tail";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_b_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_b_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_b_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_b_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_b_follows:(x_cg,x_tail,out_b[1x1,0nz],adj_b,out_adj_x_cg[1x1,0nz],out_adj_x_tail[1x1,0nz],fwd_x_cg,fwd_x_tail,fwd_out_b[1x1,0nz],fwd_adj_b)->(fwd_adj_x_cg,fwd_adj_x_tail) */
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[9]? arg[9][0] : 0;
+  a1=(-a0);
+  if (res[0]!=0) res[0][0]=a1;
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_b_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f7(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_b_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_b_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_b_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_b_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_b_follows_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_b_follows_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_b_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_b_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "x_cg";
+    case 1: return "x_tail";
+    case 2: return "out_b";
+    case 3: return "adj_b";
+    case 4: return "out_adj_x_cg";
+    case 5: return "out_adj_x_tail";
+    case 6: return "fwd_x_cg";
+    case 7: return "fwd_x_tail";
+    case 8: return "fwd_out_b";
+    case 9: return "fwd_adj_b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_b_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_x_cg";
+    case 1: return "fwd_adj_x_tail";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_b_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_b_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_b_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_b_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* L_follows:(a,b)->(L) */
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=arg[1]? arg[1][0] : 0;
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int L_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f8(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int L_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void L_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void L_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void L_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int L_follows_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int L_follows_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real L_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* L_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* L_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "L";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* L_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* L_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int L_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int L_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_L_follows:(a,b,out_L[1x1,0nz],fwd_a,fwd_b)->(fwd_L) */
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[4]? arg[4][0] : 0;
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_L_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_L_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_L_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_L_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_L_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_L_follows_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_L_follows_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_L_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_L_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "b";
+    case 2: return "out_L";
+    case 3: return "fwd_a";
+    case 4: return "fwd_b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_L_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_L";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_L_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_L_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_L_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_L_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_L_follows:(a,b,out_L[1x1,0nz],adj_L)->(adj_a,adj_b) */
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0;
+  a0=arg[3]? arg[3][0] : 0;
+  if (res[0]!=0) res[0][0]=a0;
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_L_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f10(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_L_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_L_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_L_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_L_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_L_follows_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_L_follows_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_L_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_L_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "b";
+    case 2: return "out_L";
+    case 3: return "adj_L";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_L_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_a";
+    case 1: return "adj_b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_L_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_L_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_L_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_L_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_L_follows:(a,b,out_L[1x1,0nz],adj_L,out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],fwd_a,fwd_b,fwd_out_L[1x1,0nz],fwd_adj_L)->(fwd_adj_a,fwd_adj_b) */
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0;
+  a0=arg[9]? arg[9][0] : 0;
+  if (res[0]!=0) res[0][0]=a0;
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_L_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f11(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_L_follows_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_L_follows_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_L_follows_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_L_follows_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_L_follows_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_L_follows_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_L_follows_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_L_follows_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "b";
+    case 2: return "out_L";
+    case 3: return "adj_L";
+    case 4: return "out_adj_a";
+    case 5: return "out_adj_b";
+    case 6: return "fwd_a";
+    case 7: return "fwd_b";
+    case 8: return "fwd_out_L";
+    case 9: return "fwd_adj_L";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_L_follows_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_a";
+    case 1: return "fwd_adj_b";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_L_follows_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_L_follows_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_L_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_L_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* f_follows:(b,L)->(f) */
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -446,34 +1178,34 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int f_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f4(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int f_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f12(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int f_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int f_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void f_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void f_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void f_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void f_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void f_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void f_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int f_from_loads_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int f_follows_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int f_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int f_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real f_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real f_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* f_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* f_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "b";
     case 1: return "L";
@@ -481,14 +1213,14 @@ CASADI_SYMBOL_EXPORT const char* f_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* f_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* f_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "f";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* f_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* f_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -496,14 +1228,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* f_from_loads_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* f_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* f_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int f_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int f_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 2;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -511,7 +1243,7 @@ CASADI_SYMBOL_EXPORT int f_from_loads_work(casadi_int *sz_arg, casadi_int* sz_re
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int f_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int f_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -519,8 +1251,8 @@ CASADI_SYMBOL_EXPORT int f_from_loads_work_bytes(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-/* fwd1_f_from_loads:(b,L,out_f[1x1,0nz],fwd_b,fwd_L)->(fwd_f) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_f_follows:(b,L,out_f[1x1,0nz],fwd_b,fwd_L)->(fwd_f) */
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -535,34 +1267,34 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_f_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f5(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_f_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f13(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_f_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_f_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_f_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_f_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_f_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_f_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_f_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_f_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_f_from_loads_n_in(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_f_follows_n_in(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_f_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_f_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_f_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_f_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_f_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_f_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "b";
     case 1: return "L";
@@ -573,14 +1305,14 @@ CASADI_SYMBOL_EXPORT const char* fwd1_f_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_f_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_f_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_f";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_f_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_f_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -591,14 +1323,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_f_from_loads_sparsity_in(casadi_int 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_f_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_f_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_f_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_f_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -606,7 +1338,7 @@ CASADI_SYMBOL_EXPORT int fwd1_f_from_loads_work(casadi_int *sz_arg, casadi_int* 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_f_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_f_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -614,8 +1346,8 @@ CASADI_SYMBOL_EXPORT int fwd1_f_from_loads_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* adj1_f_from_loads:(b,L,out_f[1x1,0nz],adj_f)->(adj_b,adj_L) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* adj1_f_follows:(b,L,out_f[1x1,0nz],adj_f)->(adj_b,adj_L) */
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -630,34 +1362,34 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_f_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f6(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int adj1_f_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f14(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int adj1_f_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int adj1_f_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void adj1_f_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void adj1_f_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_f_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void adj1_f_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_f_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void adj1_f_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_f_from_loads_n_in(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_f_follows_n_in(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_f_from_loads_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_f_follows_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real adj1_f_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real adj1_f_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_f_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_f_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "b";
     case 1: return "L";
@@ -667,7 +1399,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_f_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_f_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_f_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "adj_b";
     case 1: return "adj_L";
@@ -675,7 +1407,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_f_from_loads_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -685,7 +1417,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_from_loads_sparsity_in(casadi_int 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -693,7 +1425,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_from_loads_sparsity_out(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT int adj1_f_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_f_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 4;
   if (sz_res) *sz_res = 2;
   if (sz_iw) *sz_iw = 0;
@@ -701,7 +1433,7 @@ CASADI_SYMBOL_EXPORT int adj1_f_from_loads_work(casadi_int *sz_arg, casadi_int* 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_f_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_f_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 2*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -709,8 +1441,8 @@ CASADI_SYMBOL_EXPORT int adj1_f_from_loads_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* fwd1_adj1_f_from_loads:(b,L,out_f[1x1,0nz],adj_f,out_adj_b[1x1,0nz],out_adj_L[1x1,0nz],fwd_b,fwd_L,fwd_out_f[1x1,0nz],fwd_adj_f)->(fwd_adj_b,fwd_adj_L) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_adj1_f_follows:(b,L,out_f[1x1,0nz],adj_f,out_adj_b[1x1,0nz],out_adj_L[1x1,0nz],fwd_b,fwd_L,fwd_out_f[1x1,0nz],fwd_adj_f)->(fwd_adj_b,fwd_adj_L) */
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6;
   a0=arg[9]? arg[9][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -742,34 +1474,34 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_f_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f7(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_f_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_f_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_f_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_f_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_f_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_f_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_f_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_f_from_loads_n_in(void) { return 10;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_f_follows_n_in(void) { return 10;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_f_from_loads_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_f_follows_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_f_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_f_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "b";
     case 1: return "L";
@@ -785,7 +1517,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_adj_b";
     case 1: return "fwd_adj_L";
@@ -793,7 +1525,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_from_loads_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -809,7 +1541,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_from_loads_sparsity_in(casadi
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -817,7 +1549,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_from_loads_sparsity_out(casad
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_f_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 2;
   if (sz_iw) *sz_iw = 0;
@@ -825,7 +1557,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_f_from_loads_work(casadi_int *sz_arg, casadi_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_f_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 2*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -833,8 +1565,8 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_f_from_loads_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* Fz_from_loads:(m,g,f)->(Fz) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* Fz_follows:(m,g,f)->(Fz) */
+static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=5.0000000000000000e-01;
   a1=arg[2]? arg[2][0] : 0;
@@ -847,34 +1579,34 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int Fz_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f8(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int Fz_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f16(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int Fz_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int Fz_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void Fz_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void Fz_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void Fz_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void Fz_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void Fz_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void Fz_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int Fz_from_loads_n_in(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int Fz_follows_n_in(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_int Fz_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int Fz_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real Fz_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real Fz_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* Fz_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* Fz_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -883,14 +1615,14 @@ CASADI_SYMBOL_EXPORT const char* Fz_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* Fz_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* Fz_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "Fz";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* Fz_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* Fz_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -899,14 +1631,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* Fz_from_loads_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* Fz_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* Fz_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int Fz_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int Fz_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 3;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -914,7 +1646,7 @@ CASADI_SYMBOL_EXPORT int Fz_from_loads_work(casadi_int *sz_arg, casadi_int* sz_r
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int Fz_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int Fz_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -922,8 +1654,8 @@ CASADI_SYMBOL_EXPORT int Fz_from_loads_work_bytes(casadi_int *sz_arg, casadi_int
   return 0;
 }
 
-/* fwd1_Fz_from_loads:(m,g,f,out_Fz[1x1,0nz],fwd_m,fwd_g,fwd_f)->(fwd_Fz) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_Fz_follows:(m,g,f,out_Fz[1x1,0nz],fwd_m,fwd_g,fwd_f)->(fwd_Fz) */
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -945,34 +1677,34 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Fz_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_Fz_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f17(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Fz_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_Fz_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_Fz_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_Fz_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_Fz_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_Fz_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_Fz_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_Fz_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_Fz_from_loads_n_in(void) { return 7;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_Fz_follows_n_in(void) { return 7;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_Fz_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_Fz_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_Fz_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_Fz_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_Fz_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_Fz_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -985,14 +1717,14 @@ CASADI_SYMBOL_EXPORT const char* fwd1_Fz_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_Fz_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_Fz_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_Fz";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Fz_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Fz_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1005,14 +1737,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Fz_from_loads_sparsity_in(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Fz_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Fz_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Fz_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_Fz_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -1020,7 +1752,7 @@ CASADI_SYMBOL_EXPORT int fwd1_Fz_from_loads_work(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Fz_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_Fz_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1028,8 +1760,8 @@ CASADI_SYMBOL_EXPORT int fwd1_Fz_from_loads_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* adj1_Fz_from_loads:(m,g,f,out_Fz[1x1,0nz],adj_Fz)->(adj_m,adj_g,adj_f) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* adj1_Fz_follows:(m,g,f,out_Fz[1x1,0nz],adj_Fz)->(adj_m,adj_g,adj_f) */
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4;
   a0=5.0000000000000000e-01;
   a1=arg[2]? arg[2][0] : 0;
@@ -1049,34 +1781,34 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Fz_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f10(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int adj1_Fz_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f18(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Fz_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int adj1_Fz_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void adj1_Fz_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void adj1_Fz_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_Fz_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void adj1_Fz_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_Fz_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void adj1_Fz_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_Fz_from_loads_n_in(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_Fz_follows_n_in(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_Fz_from_loads_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_Fz_follows_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real adj1_Fz_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real adj1_Fz_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_Fz_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_Fz_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -1087,7 +1819,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_Fz_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_Fz_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_Fz_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "adj_m";
     case 1: return "adj_g";
@@ -1096,7 +1828,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_Fz_from_loads_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_Fz_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_Fz_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1107,7 +1839,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_Fz_from_loads_sparsity_in(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_Fz_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_Fz_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1116,7 +1848,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_Fz_from_loads_sparsity_out(casadi_in
   }
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Fz_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_Fz_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5;
   if (sz_res) *sz_res = 3;
   if (sz_iw) *sz_iw = 0;
@@ -1124,7 +1856,7 @@ CASADI_SYMBOL_EXPORT int adj1_Fz_from_loads_work(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Fz_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_Fz_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 3*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1132,8 +1864,8 @@ CASADI_SYMBOL_EXPORT int adj1_Fz_from_loads_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* fwd1_adj1_Fz_from_loads:(m,g,f,out_Fz[1x1,0nz],adj_Fz,out_adj_m[1x1,0nz],out_adj_g[1x1,0nz],out_adj_f[1x1,0nz],fwd_m,fwd_g,fwd_f,fwd_out_Fz[1x1,0nz],fwd_adj_Fz)->(fwd_adj_m,fwd_adj_g,fwd_adj_f) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_adj1_Fz_follows:(m,g,f,out_Fz[1x1,0nz],adj_Fz,out_adj_m[1x1,0nz],out_adj_g[1x1,0nz],out_adj_f[1x1,0nz],fwd_m,fwd_g,fwd_f,fwd_out_Fz[1x1,0nz],fwd_adj_Fz)->(fwd_adj_m,fwd_adj_g,fwd_adj_f) */
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[4]? arg[4][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -1170,34 +1902,34 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f11(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_Fz_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_Fz_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_Fz_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_Fz_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_Fz_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_Fz_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Fz_from_loads_n_in(void) { return 13;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Fz_follows_n_in(void) { return 13;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Fz_from_loads_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Fz_follows_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_Fz_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_Fz_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Fz_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Fz_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -1216,7 +1948,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Fz_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Fz_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Fz_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_adj_m";
     case 1: return "fwd_adj_g";
@@ -1225,7 +1957,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Fz_from_loads_name_out(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Fz_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Fz_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1244,7 +1976,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Fz_from_loads_sparsity_in(casad
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Fz_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Fz_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1253,7 +1985,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Fz_from_loads_sparsity_out(casa
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 13;
   if (sz_res) *sz_res = 3;
   if (sz_iw) *sz_iw = 0;
@@ -1261,7 +1993,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_from_loads_work(casadi_int *sz_arg, casadi
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 3*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1269,8 +2001,8 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_Fz_from_loads_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* F_tail_load_from_loads:(m,g,f)->(F_tail_load) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* F_tail_load_follows:(m,g,f)->(F_tail_load) */
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -1283,34 +2015,34 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int F_tail_load_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f12(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int F_tail_load_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int F_tail_load_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int F_tail_load_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void F_tail_load_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void F_tail_load_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void F_tail_load_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void F_tail_load_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void F_tail_load_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void F_tail_load_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int F_tail_load_from_loads_n_in(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int F_tail_load_follows_n_in(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_int F_tail_load_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int F_tail_load_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real F_tail_load_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real F_tail_load_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* F_tail_load_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* F_tail_load_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -1319,14 +2051,14 @@ CASADI_SYMBOL_EXPORT const char* F_tail_load_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* F_tail_load_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* F_tail_load_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "F_tail_load";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* F_tail_load_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* F_tail_load_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1335,14 +2067,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* F_tail_load_from_loads_sparsity_in(casadi
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* F_tail_load_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* F_tail_load_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int F_tail_load_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int F_tail_load_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 3;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -1350,7 +2082,7 @@ CASADI_SYMBOL_EXPORT int F_tail_load_from_loads_work(casadi_int *sz_arg, casadi_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int F_tail_load_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int F_tail_load_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1358,8 +2090,8 @@ CASADI_SYMBOL_EXPORT int F_tail_load_from_loads_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* fwd1_F_tail_load_from_loads:(m,g,f,out_F_tail_load[1x1,0nz],fwd_m,fwd_g,fwd_f)->(fwd_F_tail_load) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_F_tail_load_follows:(m,g,f,out_F_tail_load[1x1,0nz],fwd_m,fwd_g,fwd_f)->(fwd_F_tail_load) */
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4;
   a0=1.;
   a1=arg[2]? arg[2][0] : 0;
@@ -1380,34 +2112,34 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_F_tail_load_from_loads_n_in(void) { return 7;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_F_tail_load_follows_n_in(void) { return 7;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_F_tail_load_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_F_tail_load_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_F_tail_load_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_F_tail_load_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_F_tail_load_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_F_tail_load_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -1420,14 +2152,14 @@ CASADI_SYMBOL_EXPORT const char* fwd1_F_tail_load_from_loads_name_in(casadi_int 
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_F_tail_load_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_F_tail_load_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_F_tail_load";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_F_tail_load_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_F_tail_load_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1440,14 +2172,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_F_tail_load_from_loads_sparsity_in(c
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_F_tail_load_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_F_tail_load_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -1455,7 +2187,7 @@ CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_from_loads_work(casadi_int *sz_arg, ca
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1463,8 +2195,8 @@ CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_from_loads_work_bytes(casadi_int *sz_a
   return 0;
 }
 
-/* adj1_F_tail_load_from_loads:(m,g,f,out_F_tail_load[1x1,0nz],adj_F_tail_load)->(adj_m,adj_g,adj_f) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* adj1_F_tail_load_follows:(m,g,f,out_F_tail_load[1x1,0nz],adj_F_tail_load)->(adj_m,adj_g,adj_f) */
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=arg[1]? arg[1][0] : 0;
   a1=1.;
@@ -1484,34 +2216,34 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_F_tail_load_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f14(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f22(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int adj1_F_tail_load_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void adj1_F_tail_load_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void adj1_F_tail_load_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_F_tail_load_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void adj1_F_tail_load_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_F_tail_load_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void adj1_F_tail_load_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_F_tail_load_from_loads_n_in(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_F_tail_load_follows_n_in(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_F_tail_load_from_loads_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_F_tail_load_follows_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real adj1_F_tail_load_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real adj1_F_tail_load_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -1522,7 +2254,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_from_loads_name_in(casadi_int 
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "adj_m";
     case 1: return "adj_g";
@@ -1531,7 +2263,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_from_loads_name_out(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1542,7 +2274,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_from_loads_sparsity_in(c
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1551,7 +2283,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_from_loads_sparsity_out(
   }
 }
 
-CASADI_SYMBOL_EXPORT int adj1_F_tail_load_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5;
   if (sz_res) *sz_res = 3;
   if (sz_iw) *sz_iw = 0;
@@ -1559,7 +2291,7 @@ CASADI_SYMBOL_EXPORT int adj1_F_tail_load_from_loads_work(casadi_int *sz_arg, ca
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_F_tail_load_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 3*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1567,8 +2299,8 @@ CASADI_SYMBOL_EXPORT int adj1_F_tail_load_from_loads_work_bytes(casadi_int *sz_a
   return 0;
 }
 
-/* fwd1_adj1_F_tail_load_from_loads:(m,g,f,out_F_tail_load[1x1,0nz],adj_F_tail_load,out_adj_m[1x1,0nz],out_adj_g[1x1,0nz],out_adj_f[1x1,0nz],fwd_m,fwd_g,fwd_f,fwd_out_F_tail_load[1x1,0nz],fwd_adj_F_tail_load)->(fwd_adj_m,fwd_adj_g,fwd_adj_f) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_adj1_F_tail_load_follows:(m,g,f,out_F_tail_load[1x1,0nz],adj_F_tail_load,out_adj_m[1x1,0nz],out_adj_g[1x1,0nz],out_adj_f[1x1,0nz],fwd_m,fwd_g,fwd_f,fwd_out_F_tail_load[1x1,0nz],fwd_adj_F_tail_load)->(fwd_adj_m,fwd_adj_g,fwd_adj_f) */
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=1.;
   a1=arg[2]? arg[2][0] : 0;
@@ -1604,34 +2336,34 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f23(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_F_tail_load_from_loads_n_in(void) { return 13;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_F_tail_load_follows_n_in(void) { return 13;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_F_tail_load_from_loads_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_F_tail_load_follows_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_F_tail_load_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_F_tail_load_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "m";
     case 1: return "g";
@@ -1650,7 +2382,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_from_loads_name_in(casadi
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_adj_m";
     case 1: return "fwd_adj_g";
@@ -1659,7 +2391,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_from_loads_name_out(casad
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1678,7 +2410,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_from_loads_sparsity
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1687,7 +2419,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_from_loads_sparsity
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 13;
   if (sz_res) *sz_res = 3;
   if (sz_iw) *sz_iw = 0;
@@ -1695,7 +2427,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_from_loads_work(casadi_int *sz_ar
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 3*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1703,8 +2435,8 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_from_loads_work_bytes(casadi_int 
   return 0;
 }
 
-/* C_alpha_from_loads:(Fz,B3,C3)->(C_alpha) */
-static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* C_alpha_follows:(Fz,B3,C3)->(C_alpha) */
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[2]? arg[2][0] : 0;
@@ -1716,34 +2448,34 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int C_alpha_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int C_alpha_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int C_alpha_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int C_alpha_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void C_alpha_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void C_alpha_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void C_alpha_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void C_alpha_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void C_alpha_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void C_alpha_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int C_alpha_from_loads_n_in(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int C_alpha_follows_n_in(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_int C_alpha_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int C_alpha_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real C_alpha_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real C_alpha_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* C_alpha_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* C_alpha_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "Fz";
     case 1: return "B3";
@@ -1752,14 +2484,14 @@ CASADI_SYMBOL_EXPORT const char* C_alpha_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* C_alpha_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* C_alpha_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "C_alpha";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* C_alpha_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* C_alpha_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1768,14 +2500,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* C_alpha_from_loads_sparsity_in(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* C_alpha_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* C_alpha_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int C_alpha_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int C_alpha_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 3;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -1783,7 +2515,7 @@ CASADI_SYMBOL_EXPORT int C_alpha_from_loads_work(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int C_alpha_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int C_alpha_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1791,8 +2523,8 @@ CASADI_SYMBOL_EXPORT int C_alpha_from_loads_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* fwd1_C_alpha_from_loads:(Fz,B3,C3,out_C_alpha[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3)->(fwd_C_alpha) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_C_alpha_follows:(Fz,B3,C3,out_C_alpha[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3)->(fwd_C_alpha) */
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[5]? arg[5][0] : 0;
@@ -1813,34 +2545,34 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_C_alpha_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_C_alpha_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_C_alpha_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_C_alpha_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_C_alpha_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_C_alpha_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_C_alpha_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_C_alpha_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_C_alpha_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_C_alpha_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_C_alpha_from_loads_n_in(void) { return 7;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_C_alpha_follows_n_in(void) { return 7;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_C_alpha_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_C_alpha_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_C_alpha_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_C_alpha_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_C_alpha_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_C_alpha_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "Fz";
     case 1: return "B3";
@@ -1853,14 +2585,14 @@ CASADI_SYMBOL_EXPORT const char* fwd1_C_alpha_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_C_alpha_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_C_alpha_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_C_alpha";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_C_alpha_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_C_alpha_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1873,14 +2605,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_C_alpha_from_loads_sparsity_in(casad
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_C_alpha_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_C_alpha_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_C_alpha_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_C_alpha_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -1888,7 +2620,7 @@ CASADI_SYMBOL_EXPORT int fwd1_C_alpha_from_loads_work(casadi_int *sz_arg, casadi
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_C_alpha_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_C_alpha_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1896,8 +2628,8 @@ CASADI_SYMBOL_EXPORT int fwd1_C_alpha_from_loads_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* adj1_C_alpha_from_loads:(Fz,B3,C3,out_C_alpha[1x1,0nz],adj_C_alpha)->(adj_Fz,adj_B3,adj_C3) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* adj1_C_alpha_follows:(Fz,B3,C3,out_C_alpha[1x1,0nz],adj_C_alpha)->(adj_Fz,adj_B3,adj_C3) */
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[2]? arg[2][0] : 0;
@@ -1916,34 +2648,34 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_C_alpha_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f18(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int adj1_C_alpha_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int adj1_C_alpha_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int adj1_C_alpha_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void adj1_C_alpha_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void adj1_C_alpha_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_C_alpha_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void adj1_C_alpha_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_C_alpha_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void adj1_C_alpha_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_C_alpha_from_loads_n_in(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_C_alpha_follows_n_in(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_C_alpha_from_loads_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_C_alpha_follows_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real adj1_C_alpha_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real adj1_C_alpha_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_C_alpha_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_C_alpha_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "Fz";
     case 1: return "B3";
@@ -1954,7 +2686,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_C_alpha_from_loads_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_C_alpha_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_C_alpha_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "adj_Fz";
     case 1: return "adj_B3";
@@ -1963,7 +2695,7 @@ CASADI_SYMBOL_EXPORT const char* adj1_C_alpha_from_loads_name_out(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_C_alpha_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_C_alpha_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1974,7 +2706,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_C_alpha_from_loads_sparsity_in(casad
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_C_alpha_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_C_alpha_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -1983,7 +2715,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_C_alpha_from_loads_sparsity_out(casa
   }
 }
 
-CASADI_SYMBOL_EXPORT int adj1_C_alpha_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_C_alpha_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5;
   if (sz_res) *sz_res = 3;
   if (sz_iw) *sz_iw = 0;
@@ -1991,7 +2723,7 @@ CASADI_SYMBOL_EXPORT int adj1_C_alpha_from_loads_work(casadi_int *sz_arg, casadi
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_C_alpha_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_C_alpha_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 3*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -1999,8 +2731,8 @@ CASADI_SYMBOL_EXPORT int adj1_C_alpha_from_loads_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* fwd1_adj1_C_alpha_from_loads:(Fz,B3,C3,out_C_alpha[1x1,0nz],adj_C_alpha,out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3,fwd_out_C_alpha[1x1,0nz],fwd_adj_C_alpha)->(fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_adj1_C_alpha_follows:(Fz,B3,C3,out_C_alpha[1x1,0nz],adj_C_alpha,out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3,fwd_out_C_alpha[1x1,0nz],fwd_adj_C_alpha)->(fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=arg[4]? arg[4][0] : 0;
   a1=arg[9]? arg[9][0] : 0;
@@ -2036,34 +2768,34 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_C_alpha_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_C_alpha_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_C_alpha_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_C_alpha_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_C_alpha_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_C_alpha_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_C_alpha_from_loads_n_in(void) { return 13;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_C_alpha_follows_n_in(void) { return 13;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_C_alpha_from_loads_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_C_alpha_follows_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_C_alpha_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_C_alpha_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C_alpha_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C_alpha_follows_name_in(casadi_int i) {
   switch (i) {
     case 0: return "Fz";
     case 1: return "B3";
@@ -2082,7 +2814,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C_alpha_from_loads_name_in(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C_alpha_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C_alpha_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_adj_Fz";
     case 1: return "fwd_adj_B3";
@@ -2091,7 +2823,7 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C_alpha_from_loads_name_out(casadi_in
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C_alpha_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C_alpha_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2110,7 +2842,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C_alpha_from_loads_sparsity_in(
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C_alpha_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C_alpha_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2119,7 +2851,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C_alpha_from_loads_sparsity_out
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 13;
   if (sz_res) *sz_res = 3;
   if (sz_iw) *sz_iw = 0;
@@ -2127,7 +2859,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_from_loads_work(casadi_int *sz_arg, c
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 3*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -2135,76 +2867,76 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_C_alpha_from_loads_work_bytes(casadi_int *sz_
   return 0;
 }
 
-/* Ct_from_loads:(K1,K2,K3,K4,F_tail_load)->(Ct) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* Ct_follows:(F_tail_load,K1,K2,K3,K4)->(Ct) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
-  a0=arg[4]? arg[4][0] : 0;
+  a0=arg[0]? arg[0][0] : 0;
   a1=casadi_sq(a0);
   a1=casadi_sq(a1);
-  a2=arg[3]? arg[3][0] : 0;
+  a2=arg[4]? arg[4][0] : 0;
   a1=(a1*a2);
   a2=casadi_sq(a0);
   a2=(a0*a2);
-  a3=arg[2]? arg[2][0] : 0;
+  a3=arg[3]? arg[3][0] : 0;
   a2=(a2*a3);
   a1=(a1+a2);
   a2=casadi_sq(a0);
-  a3=arg[1]? arg[1][0] : 0;
+  a3=arg[2]? arg[2][0] : 0;
   a2=(a2*a3);
   a1=(a1+a2);
-  a2=arg[0]? arg[0][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
   a0=(a0*a2);
   a1=(a1+a0);
   if (res[0]!=0) res[0][0]=a1;
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int Ct_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int Ct_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f28(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int Ct_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int Ct_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void Ct_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void Ct_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void Ct_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void Ct_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void Ct_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void Ct_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int Ct_from_loads_n_in(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int Ct_follows_n_in(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_int Ct_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int Ct_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real Ct_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real Ct_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* Ct_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* Ct_follows_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "K1";
-    case 1: return "K2";
-    case 2: return "K3";
-    case 3: return "K4";
-    case 4: return "F_tail_load";
+    case 0: return "F_tail_load";
+    case 1: return "K1";
+    case 2: return "K2";
+    case 3: return "K3";
+    case 4: return "K4";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* Ct_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* Ct_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "Ct";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* Ct_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* Ct_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2215,14 +2947,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* Ct_from_loads_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* Ct_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* Ct_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int Ct_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int Ct_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -2230,7 +2962,7 @@ CASADI_SYMBOL_EXPORT int Ct_from_loads_work(casadi_int *sz_arg, casadi_int* sz_r
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int Ct_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int Ct_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -2238,23 +2970,23 @@ CASADI_SYMBOL_EXPORT int Ct_from_loads_work_bytes(casadi_int *sz_arg, casadi_int
   return 0;
 }
 
-/* fwd1_Ct_from_loads:(K1,K2,K3,K4,F_tail_load,out_Ct[1x1,0nz],fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_F_tail_load)->(fwd_Ct) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_Ct_follows:(F_tail_load,K1,K2,K3,K4,out_Ct[1x1,0nz],fwd_F_tail_load,fwd_K1,fwd_K2,fwd_K3,fwd_K4)->(fwd_Ct) */
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6;
-  a0=arg[3]? arg[3][0] : 0;
-  a1=arg[4]? arg[4][0] : 0;
+  a0=arg[4]? arg[4][0] : 0;
+  a1=arg[0]? arg[0][0] : 0;
   a2=casadi_sq(a1);
   a3=(2.*a2);
   a4=(2.*a1);
-  a5=arg[10]? arg[10][0] : 0;
+  a5=arg[6]? arg[6][0] : 0;
   a4=(a4*a5);
   a3=(a3*a4);
   a0=(a0*a3);
   a2=casadi_sq(a2);
-  a3=arg[9]? arg[9][0] : 0;
+  a3=arg[10]? arg[10][0] : 0;
   a2=(a2*a3);
   a0=(a0+a2);
-  a2=arg[2]? arg[2][0] : 0;
+  a2=arg[3]? arg[3][0] : 0;
   a3=casadi_sq(a1);
   a4=(a3*a5);
   a6=(2.*a1);
@@ -2263,22 +2995,22 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a4=(a4+a6);
   a2=(a2*a4);
   a3=(a1*a3);
+  a4=arg[9]? arg[9][0] : 0;
+  a3=(a3*a4);
+  a2=(a2+a3);
+  a0=(a0+a2);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=(2.*a1);
+  a3=(a3*a5);
+  a2=(a2*a3);
+  a3=casadi_sq(a1);
   a4=arg[8]? arg[8][0] : 0;
   a3=(a3*a4);
   a2=(a2+a3);
   a0=(a0+a2);
   a2=arg[1]? arg[1][0] : 0;
-  a3=(2.*a1);
-  a3=(a3*a5);
-  a2=(a2*a3);
-  a3=casadi_sq(a1);
-  a4=arg[7]? arg[7][0] : 0;
-  a3=(a3*a4);
-  a2=(a2+a3);
-  a0=(a0+a2);
-  a2=arg[0]? arg[0][0] : 0;
   a2=(a2*a5);
-  a5=arg[6]? arg[6][0] : 0;
+  a5=arg[7]? arg[7][0] : 0;
   a1=(a1*a5);
   a2=(a2+a1);
   a0=(a0+a2);
@@ -2286,58 +3018,58 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Ct_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_Ct_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Ct_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_Ct_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_Ct_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_Ct_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_Ct_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_Ct_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_Ct_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_Ct_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_Ct_from_loads_n_in(void) { return 11;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_Ct_follows_n_in(void) { return 11;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_Ct_from_loads_n_out(void) { return 1;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_Ct_follows_n_out(void) { return 1;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_Ct_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_Ct_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_Ct_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_Ct_follows_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "K1";
-    case 1: return "K2";
-    case 2: return "K3";
-    case 3: return "K4";
-    case 4: return "F_tail_load";
+    case 0: return "F_tail_load";
+    case 1: return "K1";
+    case 2: return "K2";
+    case 3: return "K3";
+    case 4: return "K4";
     case 5: return "out_Ct";
-    case 6: return "fwd_K1";
-    case 7: return "fwd_K2";
-    case 8: return "fwd_K3";
-    case 9: return "fwd_K4";
-    case 10: return "fwd_F_tail_load";
+    case 6: return "fwd_F_tail_load";
+    case 7: return "fwd_K1";
+    case 8: return "fwd_K2";
+    case 9: return "fwd_K3";
+    case 10: return "fwd_K4";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_Ct_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_Ct_follows_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_Ct";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Ct_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Ct_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2354,14 +3086,14 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Ct_from_loads_sparsity_in(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Ct_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_Ct_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Ct_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_Ct_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 11;
   if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
@@ -2369,7 +3101,7 @@ CASADI_SYMBOL_EXPORT int fwd1_Ct_from_loads_work(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_Ct_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_Ct_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 11*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -2377,102 +3109,102 @@ CASADI_SYMBOL_EXPORT int fwd1_Ct_from_loads_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* adj1_Ct_from_loads:(K1,K2,K3,K4,F_tail_load,out_Ct[1x1,0nz],adj_Ct)->(adj_K1,adj_K2,adj_K3,adj_K4,adj_F_tail_load) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real a0, a1, a2, a3, a4, a5, a6;
-  a0=arg[4]? arg[4][0] : 0;
+/* adj1_Ct_follows:(F_tail_load,K1,K2,K3,K4,out_Ct[1x1,0nz],adj_Ct)->(adj_F_tail_load,adj_K1,adj_K2,adj_K3,adj_K4) */
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
+  a0=arg[1]? arg[1][0] : 0;
   a1=arg[6]? arg[6][0] : 0;
-  a2=(a0*a1);
-  if (res[0]!=0) res[0][0]=a2;
-  a2=casadi_sq(a0);
-  a2=(a2*a1);
-  if (res[1]!=0) res[1][0]=a2;
-  a2=casadi_sq(a0);
-  a3=(a0*a2);
-  a3=(a3*a1);
-  if (res[2]!=0) res[2][0]=a3;
-  a3=casadi_sq(a0);
-  a4=casadi_sq(a3);
+  a0=(a0*a1);
+  a2=arg[0]? arg[0][0] : 0;
+  a3=(2.*a2);
+  a4=arg[2]? arg[2][0] : 0;
   a4=(a4*a1);
-  if (res[3]!=0) res[3][0]=a4;
-  a4=arg[0]? arg[0][0] : 0;
+  a3=(a3*a4);
+  a0=(a0+a3);
+  a3=casadi_sq(a2);
+  a4=arg[3]? arg[3][0] : 0;
   a4=(a4*a1);
-  a5=(2.*a0);
-  a6=arg[1]? arg[1][0] : 0;
-  a6=(a6*a1);
+  a5=(a3*a4);
+  a0=(a0+a5);
+  a5=(2.*a2);
+  a4=(a2*a4);
+  a5=(a5*a4);
+  a0=(a0+a5);
+  a5=(2.*a2);
+  a4=casadi_sq(a2);
+  a6=(2.*a4);
+  a7=arg[4]? arg[4][0] : 0;
+  a7=(a7*a1);
+  a6=(a6*a7);
   a5=(a5*a6);
-  a4=(a4+a5);
-  a5=arg[2]? arg[2][0] : 0;
-  a5=(a5*a1);
-  a2=(a2*a5);
-  a4=(a4+a2);
-  a2=(2.*a0);
-  a5=(a0*a5);
-  a2=(a2*a5);
-  a4=(a4+a2);
-  a0=(2.*a0);
-  a3=(2.*a3);
-  a2=arg[3]? arg[3][0] : 0;
+  a0=(a0+a5);
+  if (res[0]!=0) res[0][0]=a0;
+  a0=(a2*a1);
+  if (res[1]!=0) res[1][0]=a0;
+  a0=casadi_sq(a2);
+  a0=(a0*a1);
+  if (res[2]!=0) res[2][0]=a0;
+  a2=(a2*a3);
   a2=(a2*a1);
-  a3=(a3*a2);
-  a0=(a0*a3);
-  a4=(a4+a0);
+  if (res[3]!=0) res[3][0]=a2;
+  a4=casadi_sq(a4);
+  a4=(a4*a1);
   if (res[4]!=0) res[4][0]=a4;
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Ct_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f22(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int adj1_Ct_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f30(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Ct_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int adj1_Ct_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void adj1_Ct_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void adj1_Ct_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_Ct_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void adj1_Ct_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void adj1_Ct_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void adj1_Ct_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_Ct_from_loads_n_in(void) { return 7;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_Ct_follows_n_in(void) { return 7;}
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_Ct_from_loads_n_out(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_Ct_follows_n_out(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_real adj1_Ct_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real adj1_Ct_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_Ct_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_Ct_follows_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "K1";
-    case 1: return "K2";
-    case 2: return "K3";
-    case 3: return "K4";
-    case 4: return "F_tail_load";
+    case 0: return "F_tail_load";
+    case 1: return "K1";
+    case 2: return "K2";
+    case 3: return "K3";
+    case 4: return "K4";
     case 5: return "out_Ct";
     case 6: return "adj_Ct";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* adj1_Ct_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* adj1_Ct_follows_name_out(casadi_int i) {
   switch (i) {
-    case 0: return "adj_K1";
-    case 1: return "adj_K2";
-    case 2: return "adj_K3";
-    case 3: return "adj_K4";
-    case 4: return "adj_F_tail_load";
+    case 0: return "adj_F_tail_load";
+    case 1: return "adj_K1";
+    case 2: return "adj_K2";
+    case 3: return "adj_K3";
+    case 4: return "adj_K4";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_Ct_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_Ct_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2485,7 +3217,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_Ct_from_loads_sparsity_in(casadi_int
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* adj1_Ct_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_Ct_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2496,7 +3228,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_Ct_from_loads_sparsity_out(casadi_in
   }
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Ct_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_Ct_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
@@ -2504,7 +3236,7 @@ CASADI_SYMBOL_EXPORT int adj1_Ct_from_loads_work(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int adj1_Ct_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int adj1_Ct_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -2512,169 +3244,169 @@ CASADI_SYMBOL_EXPORT int adj1_Ct_from_loads_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* fwd1_adj1_Ct_from_loads:(K1,K2,K3,K4,F_tail_load,out_Ct[1x1,0nz],adj_Ct,out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],out_adj_F_tail_load[1x1,0nz],fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_F_tail_load,fwd_out_Ct[1x1,0nz],fwd_adj_Ct)->(fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4,fwd_adj_F_tail_load) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* fwd1_adj1_Ct_follows:(F_tail_load,K1,K2,K3,K4,out_Ct[1x1,0nz],adj_Ct,out_adj_F_tail_load[1x1,0nz],out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],fwd_F_tail_load,fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_out_Ct[1x1,0nz],fwd_adj_Ct)->(fwd_adj_F_tail_load,fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4) */
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
-  casadi_real a12;
+  casadi_real a12, a13, a14;
   a00=arg[6]? arg[6][0] : 0;
-  a01=arg[16]? arg[16][0] : 0;
-  a02=(a00*a01);
-  a03=arg[4]? arg[4][0] : 0;
-  a04=arg[18]? arg[18][0] : 0;
-  a05=(a03*a04);
-  a02=(a02+a05);
-  if (res[0]!=0) res[0][0]=a02;
-  a02=(2.*a03);
-  a02=(a02*a01);
-  a02=(a00*a02);
-  a05=casadi_sq(a03);
-  a05=(a05*a04);
-  a02=(a02+a05);
-  if (res[1]!=0) res[1][0]=a02;
-  a02=casadi_sq(a03);
-  a05=(a02*a01);
-  a06=(2.*a03);
-  a06=(a06*a01);
-  a07=(a03*a06);
-  a05=(a05+a07);
-  a05=(a00*a05);
-  a07=(a03*a02);
-  a07=(a07*a04);
-  a05=(a05+a07);
-  if (res[2]!=0) res[2][0]=a05;
-  a05=casadi_sq(a03);
-  a07=(2.*a05);
-  a08=(2.*a03);
-  a08=(a08*a01);
+  a01=arg[13]? arg[13][0] : 0;
+  a01=(a00*a01);
+  a02=arg[1]? arg[1][0] : 0;
+  a03=arg[18]? arg[18][0] : 0;
+  a02=(a02*a03);
+  a01=(a01+a02);
+  a02=arg[2]? arg[2][0] : 0;
+  a04=(a02*a00);
+  a05=arg[12]? arg[12][0] : 0;
+  a06=(2.*a05);
+  a04=(a04*a06);
+  a06=arg[0]? arg[0][0] : 0;
+  a07=(2.*a06);
+  a08=arg[14]? arg[14][0] : 0;
+  a08=(a00*a08);
+  a02=(a02*a03);
+  a08=(a08+a02);
   a07=(a07*a08);
-  a07=(a00*a07);
-  a09=casadi_sq(a05);
-  a09=(a09*a04);
-  a07=(a07+a09);
-  if (res[3]!=0) res[3][0]=a07;
-  a07=arg[12]? arg[12][0] : 0;
-  a07=(a00*a07);
-  a09=arg[0]? arg[0][0] : 0;
-  a09=(a09*a04);
-  a07=(a07+a09);
-  a09=arg[1]? arg[1][0] : 0;
-  a10=(a09*a00);
-  a11=(2.*a01);
-  a10=(a10*a11);
-  a11=(2.*a03);
-  a12=arg[13]? arg[13][0] : 0;
-  a12=(a00*a12);
-  a09=(a09*a04);
-  a12=(a12+a09);
-  a11=(a11*a12);
-  a10=(a10+a11);
+  a04=(a04+a07);
+  a01=(a01+a04);
+  a04=arg[3]? arg[3][0] : 0;
+  a07=(a04*a00);
+  a08=(2.*a06);
+  a08=(a08*a05);
+  a02=(a07*a08);
+  a09=casadi_sq(a06);
+  a10=arg[15]? arg[15][0] : 0;
+  a10=(a00*a10);
+  a04=(a04*a03);
+  a10=(a10+a04);
+  a04=(a09*a10);
+  a02=(a02+a04);
+  a01=(a01+a02);
+  a02=(a06*a07);
+  a04=(2.*a05);
+  a02=(a02*a04);
+  a04=(2.*a06);
+  a07=(a07*a05);
+  a10=(a06*a10);
   a07=(a07+a10);
-  a10=arg[2]? arg[2][0] : 0;
-  a11=(a10*a00);
-  a06=(a11*a06);
-  a12=arg[14]? arg[14][0] : 0;
-  a12=(a00*a12);
-  a10=(a10*a04);
-  a12=(a12+a10);
-  a02=(a02*a12);
-  a06=(a06+a02);
-  a07=(a07+a06);
-  a06=(a03*a11);
-  a02=(2.*a01);
-  a06=(a06*a02);
-  a02=(2.*a03);
-  a11=(a11*a01);
-  a12=(a03*a12);
+  a04=(a04*a07);
+  a02=(a02+a04);
+  a01=(a01+a02);
+  a02=casadi_sq(a06);
+  a04=(2.*a02);
+  a07=arg[4]? arg[4][0] : 0;
+  a10=(a07*a00);
+  a11=(a04*a10);
+  a12=(2.*a05);
+  a11=(a11*a12);
+  a12=(2.*a06);
+  a13=(2.*a06);
+  a13=(a13*a05);
+  a14=(2.*a13);
+  a10=(a10*a14);
+  a14=arg[16]? arg[16][0] : 0;
+  a14=(a00*a14);
+  a07=(a07*a03);
+  a14=(a14+a07);
+  a04=(a04*a14);
+  a10=(a10+a04);
+  a12=(a12*a10);
   a11=(a11+a12);
-  a02=(a02*a11);
-  a06=(a06+a02);
-  a07=(a07+a06);
-  a05=(2.*a05);
-  a06=arg[3]? arg[3][0] : 0;
-  a02=(a06*a00);
-  a11=(a05*a02);
-  a01=(2.*a01);
-  a11=(a11*a01);
-  a03=(2.*a03);
-  a08=(2.*a08);
-  a02=(a02*a08);
-  a08=arg[15]? arg[15][0] : 0;
-  a00=(a00*a08);
-  a06=(a06*a04);
-  a00=(a00+a06);
-  a05=(a05*a00);
-  a02=(a02+a05);
-  a03=(a03*a02);
-  a11=(a11+a03);
-  a07=(a07+a11);
-  if (res[4]!=0) res[4][0]=a07;
+  a01=(a01+a11);
+  if (res[0]!=0) res[0][0]=a01;
+  a01=(a00*a05);
+  a11=(a06*a03);
+  a01=(a01+a11);
+  if (res[1]!=0) res[1][0]=a01;
+  a01=(2.*a06);
+  a01=(a01*a05);
+  a01=(a00*a01);
+  a11=casadi_sq(a06);
+  a11=(a11*a03);
+  a01=(a01+a11);
+  if (res[2]!=0) res[2][0]=a01;
+  a05=(a09*a05);
+  a08=(a06*a08);
+  a05=(a05+a08);
+  a05=(a00*a05);
+  a06=(a06*a09);
+  a06=(a06*a03);
+  a05=(a05+a06);
+  if (res[3]!=0) res[3][0]=a05;
+  a05=(2.*a02);
+  a05=(a05*a13);
+  a00=(a00*a05);
+  a02=casadi_sq(a02);
+  a02=(a02*a03);
+  a00=(a00+a02);
+  if (res[4]!=0) res[4][0]=a00;
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_from_loads(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f23(arg, res, iw, w, mem);
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f31(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_from_loads_checkout(void) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_Ct_from_loads_release(int mem) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_Ct_follows_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_Ct_from_loads_incref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_Ct_follows_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void fwd1_adj1_Ct_from_loads_decref(void) {
+CASADI_SYMBOL_EXPORT void fwd1_adj1_Ct_follows_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Ct_from_loads_n_in(void) { return 19;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Ct_follows_n_in(void) { return 19;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Ct_from_loads_n_out(void) { return 5;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_Ct_follows_n_out(void) { return 5;}
 
-CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_Ct_from_loads_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_Ct_follows_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Ct_from_loads_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Ct_follows_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "K1";
-    case 1: return "K2";
-    case 2: return "K3";
-    case 3: return "K4";
-    case 4: return "F_tail_load";
+    case 0: return "F_tail_load";
+    case 1: return "K1";
+    case 2: return "K2";
+    case 3: return "K3";
+    case 4: return "K4";
     case 5: return "out_Ct";
     case 6: return "adj_Ct";
-    case 7: return "out_adj_K1";
-    case 8: return "out_adj_K2";
-    case 9: return "out_adj_K3";
-    case 10: return "out_adj_K4";
-    case 11: return "out_adj_F_tail_load";
-    case 12: return "fwd_K1";
-    case 13: return "fwd_K2";
-    case 14: return "fwd_K3";
-    case 15: return "fwd_K4";
-    case 16: return "fwd_F_tail_load";
+    case 7: return "out_adj_F_tail_load";
+    case 8: return "out_adj_K1";
+    case 9: return "out_adj_K2";
+    case 10: return "out_adj_K3";
+    case 11: return "out_adj_K4";
+    case 12: return "fwd_F_tail_load";
+    case 13: return "fwd_K1";
+    case 14: return "fwd_K2";
+    case 15: return "fwd_K3";
+    case 16: return "fwd_K4";
     case 17: return "fwd_out_Ct";
     case 18: return "fwd_adj_Ct";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Ct_from_loads_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_Ct_follows_name_out(casadi_int i) {
   switch (i) {
-    case 0: return "fwd_adj_K1";
-    case 1: return "fwd_adj_K2";
-    case 2: return "fwd_adj_K3";
-    case 3: return "fwd_adj_K4";
-    case 4: return "fwd_adj_F_tail_load";
+    case 0: return "fwd_adj_F_tail_load";
+    case 1: return "fwd_adj_K1";
+    case 2: return "fwd_adj_K2";
+    case 3: return "fwd_adj_K3";
+    case 4: return "fwd_adj_K4";
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Ct_from_loads_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Ct_follows_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2699,7 +3431,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Ct_from_loads_sparsity_in(casad
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Ct_from_loads_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Ct_follows_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
     case 1: return casadi_s0;
@@ -2710,7 +3442,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_Ct_from_loads_sparsity_out(casa
   }
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_from_loads_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 19;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
@@ -2718,7 +3450,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_from_loads_work(casadi_int *sz_arg, casadi
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_from_loads_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 19*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
