@@ -1,1 +1,67 @@
-"""groundloop."""
+"""Ground stability of light aircraft, from derived equations to compiled integrators.
+
+>>> import groundloop as gl
+>>> plane = gl.Aircraft.load("brott")
+>>> run = gl.simulate(plane, tire="nonlinear", v0=0.1, t=5.0)
+>>> lin = gl.linearize(plane, tire="linear")
+
+SI units and radians throughout; SAE body axes: x forward, y right, z down.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .aircraft import Aircraft
+    from .errors import GroundloopError
+    from .integration import integrator
+    from .linearization import Linearization, OperatingPoint, linearize
+    from .metrics import Metrics
+    from .simulation import Trajectory, simulate
+    from .stability import SpeedWindow, speed_window
+    from .tire_fit import TireData, fit_tire
+
+#: Public name -> module; imported on first use, so that `import groundloop` is cheap.
+_HOME = {
+    "Aircraft": "aircraft",
+    "GroundloopError": "errors",
+    "Linearization": "linearization",
+    "Metrics": "metrics",
+    "OperatingPoint": "linearization",
+    "SpeedWindow": "stability",
+    "TireData": "tire_fit",
+    "Trajectory": "simulation",
+    "fit_tire": "tire_fit",
+    "integrator": "integration",
+    "linearize": "linearization",
+    "simulate": "simulation",
+    "speed_window": "stability",
+}
+
+__all__ = [
+    "Aircraft",
+    "GroundloopError",
+    "Linearization",
+    "Metrics",
+    "OperatingPoint",
+    "SpeedWindow",
+    "TireData",
+    "Trajectory",
+    "fit_tire",
+    "integrator",
+    "linearize",
+    "simulate",
+    "speed_window",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f".{_HOME[name]}", __name__), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

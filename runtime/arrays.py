@@ -1,0 +1,69 @@
+"""Checks at the border: CasADi broadcasts, pads and zero-fills in silence, so nothing gets past here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import GroundloopError
+from .generated.names import QUANTITIES
+
+FloatArray = npt.NDArray[np.float64]
+
+_SIGNS = {">0": (np.greater, "positive"), ">=0": (np.greater_equal, "zero or positive")}
+
+
+def finite(name: str, value: Any) -> FloatArray:
+    """`value` as an array of finite floats.
+
+    Raises
+    ------
+    GroundloopError
+        If it holds anything else; the message says what and where.
+    """
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as problem:
+        raise GroundloopError(f"{name} must be a number or an array of numbers, not {value!r}") from problem
+    bad = ~np.isfinite(array)
+    if bad.any():
+        raise GroundloopError(f"{name} must be finite, but {_where(name, array, bad)}")
+    return array
+
+
+def physical(symbol: str, value: Any) -> FloatArray:
+    """`value` as an array of finite floats of the sign that the quantity `symbol` must have."""
+    quantity = QUANTITIES[symbol]
+    label = f"{quantity.name} ({symbol})"
+    array = finite(label, value)
+    if quantity.sign:
+        accept, words = _SIGNS[quantity.sign]
+        bad = ~accept(array, 0.0)
+        if bad.any():
+            raise GroundloopError(f"{label} must be {words}, but {_where(symbol, array, bad)}")
+    return array
+
+
+def broadcast(arrays: Mapping[str, FloatArray]) -> tuple[dict[str, FloatArray], tuple[int, ...]]:
+    """All arrays in their common shape.
+
+    Raises
+    ------
+    GroundloopError
+        If there is none; the message gives each shape.
+    """
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {a.shape}" for name, a in arrays.items() if a.ndim)
+        raise GroundloopError(f"these shapes do not broadcast together: {shapes}") from None
+    return {name: np.broadcast_to(array, shape) for name, array in arrays.items()}, shape
+
+
+def _where(name: str, array: FloatArray, bad: npt.NDArray[np.bool_]) -> str:
+    index = tuple(int(i) for i in np.argwhere(bad)[0])
+    place = f"{name}[{', '.join(map(str, index))}]" if index else name
+    return f"{place} = {array[index]}"

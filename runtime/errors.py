@@ -1,0 +1,26 @@
+"""Errors that say what was given, where, and what is allowed."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class GroundloopError(ValueError):
+    """Something was asked that cannot be done; the message says what to change."""
+
+
+class UnknownNameError(GroundloopError, KeyError):
+    """A name that does not exist; the message names the nearest that do."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def unknown(kind: str, name: str, allowed: Iterable[str], where: str = "") -> UnknownNameError:
+    """The error for an unknown name, with the nearest right ones."""
+    choices = list(allowed)
+    near = difflib.get_close_matches(name, choices, n=3, cutoff=0.5)
+    hint = f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(choices)}"
+    place = f" in {where}" if where else ""
+    return UnknownNameError(f"unknown {kind} {name!r}{place}; {hint}")

@@ -1,0 +1,164 @@
+"""Linear models at any operating point."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .aircraft import Aircraft
+from .arrays import FloatArray, broadcast, finite
+from .evaluate import columns, elementwise
+from .names import signature
+
+ComplexArray = npt.NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class OperatingPoint:
+    """A state of motion to linearise about.
+
+    Attributes
+    ----------
+    v : float or array
+        Lateral velocity, m/s, to the right.
+    r : float or array
+        Yaw rate, rad/s, nose right.
+    disturbance : float or array
+        Side force on the vertical tail, N, to the right.
+    """
+
+    v: Any = 0.0
+    r: Any = 0.0
+    disturbance: Any = 0.0
+
+
+@dataclass(frozen=True, repr=False)
+class Linearization:
+    """x' = drift + A (x - x_op) + B (u - u_op), y = y_op + C (x - x_op) + D (u - u_op).
+
+    x = (v, r), u = (disturbance); the names are in `states`, `inputs`, `outputs`. With arrays
+    among the arguments every attribute has their common shape in front.
+
+    Attributes
+    ----------
+    A, B, C, D : ndarray, shapes (..., 2, 2), (..., 2, 1), (..., n, 2), (..., n, 1)
+        State-space matrices, SI units with radians.
+    drift : ndarray, shape (..., 2)
+        (v_dot, r_dot) at the operating point; zero at an equilibrium.
+    eigenvalues : complex ndarray, shape (..., 2)
+        1/s; the larger real part first, of a pair the positive imaginary part first.
+    decay_rate : ndarray
+        -max Re(eigenvalue), 1/s; positive if stable.
+    damping_ratio : ndarray
+        -tr A / (2 sqrt(det A)); above 1 the eigenvalues are real; NaN where det A < 0.
+    natural_frequency, damped_frequency : ndarray
+        sqrt(det A) and |Im(eigenvalue)|, rad/s.
+    """
+
+    A: FloatArray
+    B: FloatArray
+    C: FloatArray
+    D: FloatArray
+    drift: FloatArray
+    eigenvalues: ComplexArray
+    decay_rate: FloatArray
+    damping_ratio: FloatArray
+    natural_frequency: FloatArray
+    damped_frequency: FloatArray
+    at: OperatingPoint
+    aircraft: Aircraft
+    tire: str
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        head = f"Linearization of {self.aircraft.name!r}, {self.tire} tire, at {self.at}"
+        if self.decay_rate.ndim:
+            stable = np.count_nonzero(self.decay_rate > 0)
+            return f"{head}\n  {self.decay_rate.shape} points, {stable} of them stable"
+        first, second = self.eigenvalues
+        verdict = "stable" if self.decay_rate > 0 else "unstable"
+        return (
+            f"{head}\n  eigenvalues {first:.5g}, {second:.5g} 1/s: {verdict}"
+            f"\n  decay rate {self.decay_rate:.5g} 1/s, damping ratio {self.damping_ratio:.4g},"
+            f" damped frequency {self.damped_frequency:.5g} rad/s"
+        )
+
+
+def linearize(
+    plane: Aircraft,
+    tire: str = "nonlinear",
+    at: OperatingPoint | None = None,
+    *,
+    speed: Any = None,
+    disturbance: Any = None,
+) -> Linearization:
+    """Linearise the model of an aircraft about a state of motion.
+
+    Parameters
+    ----------
+    plane : Aircraft
+        The aircraft; its parameters may be arrays.
+    tire : str
+        ``"linear"`` or ``"nonlinear"``.
+    at : OperatingPoint, optional
+        Where; straight running if omitted. It need not be an equilibrium.
+    speed : float or array, optional
+        Forward speed, m/s; default the aircraft's own.
+    disturbance : float or array, optional
+        Side force on the tail, N; overrides that of `at`.
+
+    Returns
+    -------
+    Linearization
+        Exact Jacobians and what is read from them.
+    """
+    point = at or OperatingPoint()
+    if disturbance is not None:
+        point = OperatingPoint(point.v, point.r, disturbance)
+    names = signature(tire)
+    aircraft = plane if speed is None else plane.replace(u=speed)
+    p, _ = aircraft.parameters(tire)
+    operating = {
+        "v": finite("at.v", point.v),
+        "r": finite("at.r", point.r),
+        "disturbance": finite("disturbance", point.disturbance),
+    }
+    arrays, shape = broadcast({"parameters": p[0], **operating})
+    zero = np.zeros(shape)
+    x = np.stack([arrays.get(s, zero) for s in names.states]).reshape(len(names.states), -1)
+    u = arrays["disturbance"].reshape(1, -1)
+    p = np.broadcast_to(p, (len(p), *shape)).reshape(len(p), -1)
+
+    fx, fu, _, gx, gu, _ = columns(f"{tire}_jacobians", x, u, p)
+    (rates,) = columns(f"{tire}_rhs", x, u, p)
+    dynamic = [names.states.index(s) for s in names.dynamic]
+
+    def shaped(values: FloatArray) -> FloatArray:
+        return values.reshape(*shape, *values.shape[1:])
+
+    A = shaped(fx[:, dynamic][:, :, dynamic])
+    modes = elementwise("modes", {f"A_{i}{j}": A[..., k, n] for k, i in enumerate("vr") for n, j in enumerate("vr")})
+    eigenvalues = np.stack([modes["re_1"] + 1j * modes["im_1"], modes["re_2"] + 1j * modes["im_2"]], -1)
+    return Linearization(
+        A=A,
+        B=shaped(fu[:, dynamic]),
+        C=shaped(gx[:, :, dynamic]),
+        D=shaped(gu),
+        drift=shaped(rates[:, dynamic, 0]),
+        eigenvalues=eigenvalues,
+        decay_rate=modes["decay_rate"],
+        damping_ratio=modes["damping_ratio"],
+        natural_frequency=modes["natural_frequency"],
+        damped_frequency=modes["damped_frequency"],
+        at=point,
+        aircraft=aircraft,
+        tire=tire,
+        states=names.dynamic,
+        inputs=names.inputs,
+        outputs=names.outputs,
+    )

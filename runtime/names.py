@@ -1,0 +1,32 @@
+"""Symbols and full names: ``r`` and ``yaw_rate`` are the same quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from .errors import unknown
+from .generated.names import MODELS, QUANTITIES, Signature
+
+_SYMBOLS = {**{q.name: symbol for symbol, q in QUANTITIES.items()}, **{s: s for s in QUANTITIES}}
+
+
+def symbol(name: str, kind: str, allowed: Collection[str], where: str = "") -> str:
+    """The symbol of a quantity given by symbol or by full name.
+
+    Raises
+    ------
+    UnknownNameError
+        If it is not one of the symbols `allowed`; the message names the nearest.
+    """
+    found = _SYMBOLS.get(name)
+    if found in allowed:
+        return str(found)
+    choices = [choice for s in allowed for choice in (s, QUANTITIES[s].name)]
+    raise unknown(kind, name, dict.fromkeys(choices), where)
+
+
+def signature(tire: str) -> Signature:
+    """The signature of the model with a tire, ``"linear"`` or ``"nonlinear"``."""
+    if tire not in MODELS:
+        raise unknown("tire", tire, MODELS)
+    return MODELS[tire]

@@ -1,0 +1,174 @@
+"""Simulation of the ground roll after a disturbance."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .aircraft import Aircraft
+from .arrays import FloatArray, broadcast, finite
+from .errors import GroundloopError, unknown
+from .evaluate import columns
+from .generated.names import QUANTITIES
+from .integration import integrator
+from .names import signature, symbol
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from .metrics import Metrics
+
+
+@dataclass(frozen=True, repr=False)
+class Trajectory:
+    """A simulated ground roll; ``run["v"]`` or ``run["lateral_velocity"]`` is an array over time.
+
+    Attributes
+    ----------
+    t : ndarray, shape (samples,)
+        Time, s.
+    values : mapping of str to ndarray, shape (*shape, samples)
+        States and outputs by symbol, SI units with radians. `shape` is that of whatever array
+        was passed; () for a single run.
+    aircraft : Aircraft
+        What was simulated, at the speed of the run.
+    tire : str
+        Which model.
+    disturbance : ndarray
+        Side force on the tail, N.
+    """
+
+    t: FloatArray
+    values: Mapping[str, FloatArray]
+    aircraft: Aircraft
+    tire: str
+    disturbance: FloatArray
+
+    def __getitem__(self, name: str) -> FloatArray:
+        return self.values[symbol(name, "state or output", tuple(self.values), "this run")]
+
+    def metrics(self) -> Metrics:
+        """Steady state, rise time, settling time, overshoot and time constant of y.
+
+        See `groundloop.metrics.metrics`.
+        """
+        from .metrics import metrics
+
+        return metrics(self)
+
+    def plot(self, names: tuple[str, ...] = ("y", "theta")) -> Figure:
+        """Plot states or outputs over time; see `groundloop.plots.time_history`."""
+        from .plots import time_history
+
+        return time_history(self, names)
+
+    def __repr__(self) -> str:
+        shape = self["v"].shape[:-1]
+        many = f", {' x '.join(map(str, shape))} runs" if shape else ""
+        lines = [
+            f"Trajectory of {self.aircraft.name!r}, {self.tire} tire, 0 to {self.t[-1]:g} s,"
+            f" {self.t.size} samples{many}"
+        ]
+        for name, series in self.values.items():
+            q = QUANTITIES[name]
+            peak, last = np.abs(series).max(), series[..., -1]
+            end = f", at the end {float(last):.4g}" if last.ndim == 0 else ""
+            lines.append(f"  {name:<13} {q.name:<22} max |.| {peak:.4g}{end} {q.unit}")
+        return "\n".join(lines)
+
+
+def simulate(
+    plane: Aircraft,
+    tire: str = "nonlinear",
+    *,
+    t: float = 5.0,
+    samples: int = 501,
+    speed: Any = None,
+    disturbance: Any = 0.0,
+    method: str = "rk45",
+    **initial: Any,
+) -> Trajectory:
+    """Simulate the ground roll of an aircraft, hands off.
+
+    Parameters
+    ----------
+    plane : Aircraft
+        The aircraft; its parameters may be arrays.
+    tire : str
+        ``"linear"`` or ``"nonlinear"``.
+    t : float
+        Duration, s.
+    samples : int
+        Number of equally spaced samples, the first at 0 and the last at `t`.
+    speed : float or array, optional
+        Forward speed, m/s; default the aircraft's own.
+    disturbance : float or array
+        Constant side force on the vertical tail, N, positive to the right.
+    method : str
+        ``"rk45"`` or ``"rk4"``; see `integrator`.
+    **initial : float or array
+        Initial states by symbol and a zero: ``v0``, ``r0``, ``y0``, ``theta0``, ``X0``, ``Y0``,
+        ``psi0``; zero if omitted.
+
+    Returns
+    -------
+    Trajectory
+        States and outputs over time.
+
+    Raises
+    ------
+    GroundloopError
+        For unknown names, values that cannot be, or a run that leaves the numbers.
+    """
+    names = signature(tire)
+    duration = float(finite("t", t))
+    if duration <= 0 or int(samples) != samples or samples < 2:
+        raise GroundloopError(f"t must be positive and samples at least 2, not {t} and {samples}")
+    aircraft = plane if speed is None else plane.replace(u=speed)
+    p, shape = aircraft.parameters(tire)
+    force = finite("disturbance", disturbance)
+    start = _initial_state(initial, names.states)
+    arrays, shape = broadcast({"parameters": p[0], "disturbance": force, **start})
+
+    times = np.linspace(0.0, duration, int(samples))
+    F = integrator(tire, method, times[1:])
+    count = int(np.prod(shape))
+    x0 = np.stack([arrays[s].ravel() for s in names.states])
+    u = arrays["disturbance"].reshape(1, -1)
+    p = np.broadcast_to(p, (len(p), *shape)).reshape(len(p), count)
+
+    x = np.empty((count, len(names.states), times.size))
+    y = np.empty((count, len(names.outputs), times.size))
+    for k in range(count):
+        x[k, :, 0] = x0[:, k]
+        x[k, :, 1:] = _advance(F, x0[:, k], u[:, k], p[:, k], f"run {k} of {count}")
+        fixed = [np.repeat(part[:, None], times.size, axis=1) for part in (u[:, k], p[:, k])]
+        y[k] = columns(f"{tire}_outputs", x[k], *fixed)[0][:, :, 0].T
+
+    series = np.concatenate([x, y], axis=1)
+    values = {
+        name: series[:, i].reshape(*shape, times.size)
+        for i, name in enumerate((*names.states, *names.outputs))
+    }
+    return Trajectory(times, values, aircraft, tire, force)
+
+
+def _initial_state(initial: Mapping[str, Any], states: tuple[str, ...]) -> dict[str, FloatArray]:
+    allowed = {f"{s}0": s for s in states}
+    for name in initial:
+        if name not in allowed:
+            raise unknown("argument", name, [*allowed, "speed", "disturbance"], "simulate")
+    return {s: finite(key, initial.get(key, 0.0)) for key, s in allowed.items()}
+
+
+def _advance(F: Any, x0: FloatArray, u: FloatArray, p: FloatArray, which: str) -> FloatArray:
+    try:
+        x = np.array(F(x0, u, p), dtype=np.float64)
+    except RuntimeError as problem:
+        raise GroundloopError(f"{which}: the integration failed; the motion grows without bound") from problem
+    if not np.isfinite(x).all():
+        raise GroundloopError(f"{which}: the motion grows beyond what a number can hold")
+    return x

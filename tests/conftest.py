@@ -1,0 +1,8 @@
+"""What every test shares: hypothesis draws the same examples on each run, against no clock."""
+
+from hypothesis import settings
+
+settings.register_profile(
+    "groundloop", derandomize=True, database=None, deadline=None, max_examples=25
+)
+settings.load_profile("groundloop")
