@@ -28,12 +28,25 @@ PER_DEGREE = degrees(1.0)  # from 1/deg to 1/rad
 
 #: The thesis's aircraft in Trial 19, in SI: Tables 3.2, 4.1 and 4.7, App. A.5.
 BROTT = {
-    **{"m": 748.43, "Izz": 1760.0, "a": 0.64008, "b": 3.88112, "u": 100 / 3.6},
-    **{"rho": 1.225, "Ap": 0.6929, "CL_gamma": 0.1 * PER_DEGREE},
-    **{"C_alpha": 441.630 * PER_DEGREE, "Ct": 70.0 * PER_DEGREE, "Fz": 748.43 * 9.81 / 2},
-    **{"B3": 0.2117 * PER_DEGREE, "C3": -2.2918e-5 * PER_DEGREE},
-    **{"B5": 0.7221, "C5": -8.81055e-6},
-    **{"B1": 0.7947, "C1": 0.1901, "D1": 6.1197, "E1": 1.0637},
+    "m": 748.43,
+    "Izz": 1760.0,
+    "a": 0.64008,
+    "b": 3.88112,
+    "u": 100 / 3.6,
+    "rho": 1.225,
+    "Ap": 0.6929,
+    "CL_gamma": 0.1 * PER_DEGREE,
+    "C_alpha": 441.630 * PER_DEGREE,
+    "Ct": 70.0 * PER_DEGREE,
+    "Fz": 748.43 * 9.81 / 2,
+    "B3": 0.2117 * PER_DEGREE,
+    "C3": -2.2918e-5 * PER_DEGREE,
+    "B5": 0.7221,
+    "C5": -8.81055e-6,
+    "B1": 0.7947,
+    "C1": 0.1901,
+    "D1": 6.1197,
+    "E1": 1.0637,
 }
 
 #: Tables 4.4, 4.6 and 4.8: what a trial changes in `BROTT`, and the eigenvalues printed for it.
@@ -48,16 +61,45 @@ TRIALS: dict[int, tuple[dict[str, float], tuple[complex, complex]]] = {
 
 #: From where random values are drawn, by symbol; anything else is drawn from `_ELSE`.
 RANGES: dict[str, tuple[float, float]] = {
-    **{"v": (-5.0, 5.0), "r": (-2.0, 2.0), "y": (-9.0, 9.0), "theta": (-3.0, 3.0)},
-    **{"X": (0.0, 300.0), "Y": (-9.0, 9.0), "psi": (-3.0, 3.0), "F_disturbance": (-2e3, 2e3)},
-    **{"m": (300.0, 3000.0), "Izz": (400.0, 8000.0), "a": (-2.0, 2.0), "b": (1.0, 8.0)},
-    **{"u": (5.0, 60.0), "rho": (0.6, 1.4), "Ap": (0.1, 3.0), "CL_gamma": (1.0, 6.3)},
-    **{"C_alpha": (3e3, 5e4), "Ct": (500.0, 2e4), "Fz": (800.0, 5500.0)},
-    **{"B3": (9.0, 20.0), "C3": (-1.4e-3, 2e-4), "B5": (0.6, 1.0), "C5": (-9e-5, 1e-5)},
-    **{"B1": (0.5, 1.2), "C1": (0.15, 1.8), "D1": (0.8, 6.5), "E1": (-1.0, 1.2)},
-    **{"h": (0.01, 0.5), "alpha": (0.01, 0.5), "alpha_bar": (-9.0, 9.0), "f": (0.5, 0.95)},
-    **{"F_y": (100.0, 3000.0), "F_peak": (1000.0, 5000.0), "mu": (0.4, 1.0), "C_c": (4.0, 20.0)},
-    **{"A_vv": (-9.0, 1.0), "A_vr": (-60.0, 0.0), "A_rv": (-2.0, 2.0), "A_rr": (-9.0, 1.0)},
+    "v": (-5.0, 5.0),
+    "r": (-2.0, 2.0),
+    "y": (-9.0, 9.0),
+    "theta": (-3.0, 3.0),
+    "X": (0.0, 300.0),
+    "Y": (-9.0, 9.0),
+    "psi": (-3.0, 3.0),
+    "F_disturbance": (-2e3, 2e3),
+    "m": (300.0, 3000.0),
+    "Izz": (400.0, 8000.0),
+    "a": (-2.0, 2.0),
+    "b": (1.0, 8.0),
+    "u": (5.0, 60.0),
+    "rho": (0.6, 1.4),
+    "Ap": (0.1, 3.0),
+    "CL_gamma": (1.0, 6.3),
+    "C_alpha": (3e3, 5e4),
+    "Ct": (500.0, 2e4),
+    "Fz": (800.0, 5500.0),
+    "B3": (9.0, 20.0),
+    "C3": (-1.4e-3, 2e-4),
+    "B5": (0.6, 1.0),
+    "C5": (-9e-5, 1e-5),
+    "B1": (0.5, 1.2),
+    "C1": (0.15, 1.8),
+    "D1": (0.8, 6.5),
+    "E1": (-1.0, 1.2),
+    "h": (0.01, 0.5),
+    "alpha": (0.01, 0.5),
+    "alpha_bar": (-9.0, 9.0),
+    "f": (0.5, 0.95),
+    "F_y": (100.0, 3000.0),
+    "F_peak": (1000.0, 5000.0),
+    "mu": (0.4, 1.0),
+    "C_c": (4.0, 20.0),
+    "A_vv": (-9.0, 1.0),
+    "A_vr": (-60.0, 0.0),
+    "A_rv": (-2.0, 2.0),
+    "A_rr": (-9.0, 1.0),
 }
 _ELSE = (0.5, 2.0)
 
@@ -89,7 +131,8 @@ def parameters(model: str, **changes: float) -> Array:
 
 def state(**named: float) -> Array:
     """A state vector that is zero but for what is named."""
-    return vector(MODELS["linear"].states, {**dict.fromkeys(map(str, MODELS["linear"].states), 0.0), **named})
+    rest = dict.fromkeys(map(str, MODELS["linear"].states), 0.0)
+    return vector(MODELS["linear"].states, {**rest, **named})
 
 
 def call(function: ca.Function, *arguments: Any) -> Any:

@@ -71,7 +71,9 @@ def single_track_car() -> Model:
 
 def is_zero(value: sp.Expr | sp.Matrix) -> bool:
     difference = sp.simplify(value)
-    return bool(difference == sp.zeros(*difference.shape) if difference.is_Matrix else difference == 0)
+    return bool(
+        difference == sp.zeros(*difference.shape) if difference.is_Matrix else difference == 0
+    )
 
 
 def test_a_nose_wheel_makes_the_single_track_car():
@@ -226,9 +228,11 @@ def test_the_linear_model_is_linear_but_for_the_path():
 
 
 def test_an_aircraft_that_is_pushed_at_rest_has_no_linear_model():
-    weight = Component("slope", 0 * i, lambda velocity: Force(C_n * j))
-    model = assemble("slope", "", [weight], parameters=[*PARAMETERS, C_n]) if False else None
-    assert model is None
+    push = Quantity("push", "push", "N", "a constant side force")
+    pushed = Component("push", 0 * i, lambda velocity: Force(push * j))
+    model = assemble("pushed", "", [pushed], parameters=[*PARAMETERS, push])
+    with pytest.raises(ValueError, match="straight running is not an equilibrium"):
+        linearise(model)
 
 
 def test_a_quantity_survives_pickling():
