@@ -6,6 +6,7 @@ import json
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.codeprinter import CodePrinter
@@ -22,7 +23,7 @@ class CasadiPrinter(CodePrinter):  # type: ignore[misc]
 
     printmethod = "_casadi"
     language = "Python"
-    _operations = {
+    _operations: ClassVar[dict[str, str]] = {
         **{name: f"ca.{name}" for name in ("sin", "cos", "tan", "atan", "exp", "log")},
         "Abs": "ca.fabs",
         "Max": "ca.fmax",
@@ -69,7 +70,7 @@ class CasadiPrinter(CodePrinter):  # type: ignore[misc]
     def _print_Rational(self, expr: sp.Rational) -> str:
         return f"{expr.p}/{expr.q}"
 
-    def emptyPrinter(self, expr: object) -> str:  # noqa: N802 (SymPy's name)
+    def emptyPrinter(self, expr: object) -> str:
         raise NotImplementedError(f"{type(expr).__name__} has no CasADi operation: {expr}")
 
     def _operation(self, expr: sp.Function) -> str:
@@ -234,7 +235,7 @@ def _split_trivial(
 
 
 def _is_name(value: sp.Matrix) -> bool:
-    return value.shape == (1, 1) and value[0].is_Symbol
+    return value.shape == (1, 1) and bool(value[0].is_Symbol)
 
 
 def _wrapped(items: Iterable[str], indent: str = "    ") -> list[str]:

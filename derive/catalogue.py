@@ -70,9 +70,7 @@ def model_functions(model: Model) -> tuple[FunctionSpec, ...]:
 
     def spec(name: str, summary: str, results: Sequence[Result], chain: Chain) -> FunctionSpec:
         arguments = tuple(Argument(key, group) for key, group in directions.items())
-        return FunctionSpec(
-            name, f"{model.name}_{name}", summary, arguments, tuple(results), chain
-        )
+        return FunctionSpec(name, f"{model.name}_{name}", summary, arguments, tuple(results), chain)
 
     values = {"f": ("xdot", model.rates), "g": ("y", model.outputs)}
     jacobians = [
@@ -124,7 +122,9 @@ def _loads_module() -> Module:
         inner = needed(inner, [equation.lhs])
         free = {s for e in inner for s in e.rhs.free_symbols} - {e.lhs for e in inner}
         arguments = [q for q in PARAMETERS if q in free]
-        summary = f"{equation.lhs.meaning[0].upper()}{equation.lhs.meaning[1:]} ({equation.source})."
+        summary = (
+            f"{equation.lhs.meaning[0].upper()}{equation.lhs.meaning[1:]} ({equation.source})."
+        )
         name = f"{equation.lhs}_follows"
         functions.append(scalar_function(name, summary, arguments, [equation.lhs], inner))
     return Module("loads", "What follows from CG and gear positions.", tuple(functions))

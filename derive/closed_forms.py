@@ -9,29 +9,43 @@ import sympy as sp
 
 from .equation import Chain, Equation
 from .linear import linear, state_space
-from .quantities import Ap, C_alpha, CL_gamma, Ct, Quantity, a, b, m, rho, u
+from .quantities import Ap, C_alpha, CL_gamma, Ct, Quantity, rho, u
 
-C_f = Quantity("C_f", "main_gear_stiffness", "N/rad", "cornering stiffness of both main tires", "C_f")
+C_f = Quantity(
+    "C_f", "main_gear_stiffness", "N/rad", "cornering stiffness of both main tires", "C_f"
+)
 k = Quantity("k", "tail_aerodynamic_factor", "kg/m", "stiffness of the vertical tail over u^2", "k")
-K = Quantity("K", "tail_stiffness", "N/rad", "stiffness of vertical tail and tail wheel together", "K")
+K = Quantity(
+    "K", "tail_stiffness", "N/rad", "stiffness of vertical tail and tail wheel together", "K"
+)
 A_vv = Quantity("A_vv", "A_vv", "1/s", "d v_dot / d v", "A_{vv}")
 A_vr = Quantity("A_vr", "A_vr", "m/s", "d v_dot / d r", "A_{vr}")
 A_rv = Quantity("A_rv", "A_rv", "1/(m s)", "d r_dot / d v", "A_{rv}")
 A_rr = Quantity("A_rr", "A_rr", "1/s", "d r_dot / d r", "A_{rr}")
 trace = Quantity("trace", "trace", "1/s", "tr A: stable needs < 0", r"\operatorname{tr} A")
 det = Quantity("det", "determinant", "1/s^2", "det A: stable needs > 0", r"\det A")
-discriminant = Quantity("discriminant", "discriminant", "1/s^2", "negative: the modes oscillate", r"\Delta")
-spread = Quantity("spread", "spread", "1/s", "half the distance between two real eigenvalues", r"\sigma")
+discriminant = Quantity(
+    "discriminant", "discriminant", "1/s^2", "negative: the modes oscillate", r"\Delta"
+)
+spread = Quantity(
+    "spread", "spread", "1/s", "half the distance between two real eigenvalues", r"\sigma"
+)
 re_1 = Quantity("re_1", "re_1", "1/s", "real part of the first eigenvalue", r"\Re\lambda_1")
 re_2 = Quantity("re_2", "re_2", "1/s", "real part of the second eigenvalue", r"\Re\lambda_2")
 im_1 = Quantity("im_1", "im_1", "rad/s", "imaginary part of the first eigenvalue", r"\Im\lambda_1")
 im_2 = Quantity("im_2", "im_2", "rad/s", "imaginary part of the second eigenvalue", r"\Im\lambda_2")
-decay_rate = Quantity("decay_rate", "decay_rate", "1/s", "-max Re(eigenvalue): stable if positive", r"d")
+decay_rate = Quantity(
+    "decay_rate", "decay_rate", "1/s", "-max Re(eigenvalue): stable if positive", r"d"
+)
 natural_frequency = Quantity(
     "natural_frequency", "natural_frequency", "rad/s", "undamped natural frequency", r"\omega_n"
 )
-damped_frequency = Quantity("damped_frequency", "damped_frequency", "rad/s", "|Im(eigenvalue)|", r"\omega_d")
-damping_ratio = Quantity("damping_ratio", "damping_ratio", "1", "above 1: two real eigenvalues", r"\zeta")
+damped_frequency = Quantity(
+    "damped_frequency", "damped_frequency", "rad/s", "|Im(eigenvalue)|", r"\omega_d"
+)
+damping_ratio = Quantity(
+    "damping_ratio", "damping_ratio", "1", "above 1: two real eigenvalues", r"\zeta"
+)
 s = Quantity("s", "speed_squared", "m^2/s^2", "square of the forward speed", "s")
 q_0 = Quantity("q_0", "q_0", "N^2 m^2", "constant term of the speed polynomial", "q_0")
 q_1 = Quantity("q_1", "q_1", "N kg m", "linear term of the speed polynomial", "q_1")
@@ -39,7 +53,13 @@ q_2 = Quantity("q_2", "q_2", "kg^2", "quadratic term of the speed polynomial", "
 q_root = Quantity("q_root", "q_root", "N kg m", "the positive combination of its roots", r"\hat{q}")
 s_low = Quantity("s_low", "s_low", "m^2/s^2", "the smaller root", r"s_{\mathrm{low}}")
 s_high = Quantity("s_high", "s_high", "m^2/s^2", "the larger root", r"s_{\mathrm{high}}")
-u_low = Quantity("u_low", "lower_critical_speed", "m/s", "the aircraft is unstable from here", r"u_{\mathrm{low}}")
+u_low = Quantity(
+    "u_low",
+    "lower_critical_speed",
+    "m/s",
+    "the aircraft is unstable from here",
+    r"u_{\mathrm{low}}",
+)
 u_high = Quantity("u_high", "upper_critical_speed", "m/s", "to here", r"u_{\mathrm{high}}")
 
 STATE_MATRIX = (A_vv, A_vr, A_rv, A_rr)

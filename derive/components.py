@@ -18,12 +18,22 @@ from .quantities import Ap, CL_gamma, Ct, F_disturbance, Quantity, a, b, rho, u
 from .tire import F_y, Tire
 
 alpha = Quantity("alpha", "main_gear_slip_angle", "rad", "slip angle of the main tires", r"\alpha")
-gamma = Quantity("gamma", "tail_angle", "rad", "angle of incidence of the tail and its wheel", r"\gamma")
+gamma = Quantity(
+    "gamma", "tail_angle", "rad", "angle of incidence of the tail and its wheel", r"\gamma"
+)
 F_main = Quantity(
-    "F_main", "main_gear_force", "N", "lateral force of the two main tires, to the left", r"F_{y\,\mathrm{main}}"
+    "F_main",
+    "main_gear_force",
+    "N",
+    "lateral force of the two main tires, to the left",
+    r"F_{y\,\mathrm{main}}",
 )
 F_tail = Quantity(
-    "F_tail", "tail_force", "N", "side force of the vertical tail, to the left", r"F_{y\,\mathrm{tail}}"
+    "F_tail",
+    "tail_force",
+    "N",
+    "side force of the vertical tail, to the left",
+    r"F_{y\,\mathrm{tail}}",
 )
 F_tail_wheel = Quantity(
     "F_tail_wheel",

@@ -32,7 +32,7 @@ def provenance() -> str:
     """One line for the top of each generated file."""
     return (
         f"Generated from derive/ (digest {digest()}) with SymPy {sp.__version__} and CasADi"
-        f" {ca.__version__}: do not edit, run `make derive`."
+        f" {ca.CasadiMeta.version()}: do not edit, run `make derive`."
     )
 
 
@@ -101,7 +101,9 @@ def _function_table(derived: Iterable[Module]) -> dict[str, tuple[str, str, str]
     return table
 
 
-def _compiled(derived: Iterable[Module], sources: Mapping[str, str]) -> dict[str, list[ca.Function]]:
+def _compiled(
+    derived: Iterable[Module], sources: Mapping[str, str]
+) -> dict[str, list[ca.Function]]:
     """The functions of each C file, built by running the Python just generated."""
     package = _load(sources)
     contents: dict[str, list[ca.Function]] = {}
@@ -182,8 +184,8 @@ def _init_source(derived: tuple[Module, ...]) -> str:
     lines = [
         '"""CasADi functions generated from the derivation; see `names.FUNCTIONS` for the list.',
         "",
-        "`from groundloop.generated import nonlinear_rk45` gives the compiled function; the modules",
-        "(`nonlinear`, `linear`, ...) hold the readable builders.",
+        "`from groundloop.generated import nonlinear_rk45` gives the compiled function; the",
+        "modules (`nonlinear`, `linear`, ...) hold the readable builders.",
         '"""',
         "",
         "import casadi as ca",

@@ -12,7 +12,6 @@ from .equation import Chain
 from .kinematics import path_rates
 from .loads import static_loads
 from .model import Model
-from .newton import r_dot, v_dot
 from .quantities import Quantity
 
 
@@ -21,11 +20,11 @@ def equation_sheet(derived: Sequence[Module]) -> str:
     lines = [
         "# Equation sheet",
         "",
-        "Everything the generated code computes, in the order in which it computes it. SI units and",
-        "radians; SAE axes: x forward, y right, z down. Angles are positive as in the thesis; the",
-        "forces of tires and tail act to the left (−y) for positive angles. Numbers in the right",
-        "column are those of H. W. Brott, *A Study of Aircraft Lateral Dynamics & Ground Stability*",
-        "(M.Sc. thesis, Rochester Institute of Technology, 1998).",
+        "Everything the generated code computes, in the order in which it computes it. SI units",
+        "and radians; SAE axes: x forward, y right, z down. Angles are positive as in the thesis;",
+        "the forces of tires and tail act to the left (−y) for positive angles. The numbers in the",
+        "last column are those of H. W. Brott, *A Study of Aircraft Lateral Dynamics & Ground",
+        "Stability* (M.Sc. thesis, Rochester Institute of Technology, 1998).",
         "",
     ]
     models = [module.model for module in derived if module.model is not None]

@@ -25,7 +25,9 @@ from .newton import a_y, equations_of_motion, r_dot, sum_F, sum_M, v_dot
 from .quantities import INPUTS, PARAMETERS, STATES, Quantity, r, u, v
 from .tire import linear_tire, nonlinear_tire
 
-beta = Quantity("beta", "sideslip_angle", "rad", "angle of the CG's velocity to the x axis", r"\beta")
+beta = Quantity(
+    "beta", "sideslip_angle", "rad", "angle of the CG's velocity to the x axis", r"\beta"
+)
 _OUTPUTS = (alpha, gamma, beta, F_main, F_tail, F_tail_wheel, a_y, sum_F, sum_M)
 
 

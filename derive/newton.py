@@ -13,7 +13,9 @@ from .kinematics import accelerations, j, k, velocity
 from .quantities import Izz, Quantity, m
 
 sum_F = Quantity("sum_F", "side_force", "N", "sum of the forces along y", r"\sum F_y")
-sum_M = Quantity("sum_M", "yaw_moment", "N m", "sum of the moments about z through the CG", r"\sum M_z")
+sum_M = Quantity(
+    "sum_M", "yaw_moment", "N m", "sum of the moments about z through the CG", r"\sum M_z"
+)
 a_y = Quantity("a_y", "lateral_acceleration", "m/s^2", "acceleration of the CG along y", "a_y")
 v_dot = Quantity("v_dot", "lateral_velocity_rate", "m/s^2", "time derivative of v", r"\dot{v}")
 r_dot = Quantity("r_dot", "yaw_acceleration", "rad/s^2", "time derivative of r", r"\dot{r}")

@@ -65,13 +65,21 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
 
 
 # --- States ---------------------------------------------------------------------------------
-v = Quantity("v", "lateral_velocity", "m/s", "velocity of the CG along the body y axis, to the right")
+v = Quantity(
+    "v", "lateral_velocity", "m/s", "velocity of the CG along the body y axis, to the right"
+)
 r = Quantity("r", "yaw_rate", "rad/s", "angular velocity about the body z axis, nose right")
-y = Quantity("y", "lateral_displacement", "m", "integral of v: displacement in aircraft coordinates")
-theta = Quantity("theta", "rotation", "rad", "integral of r: rotation in aircraft coordinates", r"\theta")
+y = Quantity(
+    "y", "lateral_displacement", "m", "integral of v: displacement in aircraft coordinates"
+)
+theta = Quantity(
+    "theta", "rotation", "rad", "integral of r: rotation in aircraft coordinates", r"\theta"
+)
 X = Quantity("X", "distance", "m", "position of the CG along the runway")
 Y = Quantity("Y", "offset", "m", "position of the CG across the runway, to the right")
-psi = Quantity("psi", "heading", "rad", "angle from the runway to the body x axis, nose right", r"\psi")
+psi = Quantity(
+    "psi", "heading", "rad", "angle from the runway to the body x axis, nose right", r"\psi"
+)
 
 # --- Inputs ---------------------------------------------------------------------------------
 F_disturbance = Quantity(
@@ -117,7 +125,9 @@ Ct = Quantity(
     ">=0",
 )
 Fz = Quantity("Fz", "tire_load", "N", "vertical load on one main tire", "F_z", ">0")
-B3 = Quantity("B3", "cornering_coefficient_intercept", "1/rad", "cornering coefficient at no load", "B_3")
+B3 = Quantity(
+    "B3", "cornering_coefficient_intercept", "1/rad", "cornering coefficient at no load", "B_3"
+)
 C3 = Quantity("C3", "cornering_coefficient_slope", "1/(rad N)", "its change with load", "C_3")
 B5 = Quantity("B5", "friction_coefficient_intercept", "1", "friction coefficient at no load", "B_5")
 C5 = Quantity("C5", "friction_coefficient_slope", "1/N", "its change with load", "C_5")
@@ -128,7 +138,9 @@ E1 = Quantity("E1", "magic_formula_E", "1", "magic formula: curvature factor", "
 
 # --- Stations along the fuselage, positive aft of the datum (Section 4.2.2) -------------------
 x_cg = Quantity("x_cg", "cg_station", "m", "the CG behind the datum", r"x_{\mathrm{CG}}")
-x_main = Quantity("x_main", "main_gear_station", "m", "the main gear behind it", r"x_{\mathrm{main}}")
+x_main = Quantity(
+    "x_main", "main_gear_station", "m", "the main gear behind it", r"x_{\mathrm{main}}"
+)
 x_tail = Quantity(
     "x_tail", "tail_station", "m", "vertical tail and tail wheel behind it", r"x_{\mathrm{tail}}"
 )
@@ -142,7 +154,12 @@ g = Quantity("g", "gravity", "m/s^2", "acceleration due to gravity", sign=">0")
 L = Quantity("L", "wheelbase", "m", "main gear to tail wheel", sign=">0")
 f = Quantity("f", "main_gear_weight_fraction", "1", "fraction of the weight on the main gear")
 F_tail_load = Quantity(
-    "F_tail_load", "tail_wheel_load", "N", "vertical load on the tail wheel", r"F_{z\,\mathrm{tail}}", ">=0"
+    "F_tail_load",
+    "tail_wheel_load",
+    "N",
+    "vertical load on the tail wheel",
+    r"F_{z\,\mathrm{tail}}",
+    ">=0",
 )
 K1 = Quantity("K1", "tail_wheel_K1", "1/rad", "tail wheel stiffness over load: linear term", "K_1")
 K2 = Quantity("K2", "tail_wheel_K2", "1/(rad N)", "quadratic term", "K_2")

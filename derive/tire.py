@@ -11,12 +11,18 @@ from .quantities import B1, B3, B5, C1, C3, C5, D1, E1, C_alpha, Fz, Quantity
 
 C_c = Quantity("C_c", "cornering_coefficient", "1/rad", "cornering stiffness over load")
 mu = Quantity("mu", "friction_coefficient", "1", "lateral friction coefficient", r"\mu_y")
-alpha_bar = Quantity("alpha_bar", "normalised_slip_angle", "1", "normalised slip angle", r"\bar{\alpha}")
+alpha_bar = Quantity(
+    "alpha_bar", "normalised_slip_angle", "1", "normalised slip angle", r"\bar{\alpha}"
+)
 psi_bar = Quantity("psi_bar", "magic_formula_psi", "1", "magic formula intermediate", r"\bar{\psi}")
-theta_bar = Quantity("theta_bar", "magic_formula_theta", "1", "magic formula intermediate", r"\bar{\theta}")
+theta_bar = Quantity(
+    "theta_bar", "magic_formula_theta", "1", "magic formula intermediate", r"\bar{\theta}"
+)
 F_bar = Quantity("F_bar", "normalised_force", "1", "normalised lateral force", r"\bar{F}_y")
 F_peak = Quantity("F_peak", "peak_force", "N", "largest lateral force at a load", r"F_{y\,\max}")
-F_y = Quantity("F_y", "tire_force", "N", "lateral force of one tire, to the left for a positive slip angle")
+F_y = Quantity(
+    "F_y", "tire_force", "N", "lateral force of one tire, to the left for a positive slip angle"
+)
 
 #: From a slip angle to the chain that ends in `F_y`.
 Tire = Callable[[Quantity], Chain]

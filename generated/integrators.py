@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 4a0caa765fee57d6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 3592f43898c580f8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Integrators over one interval of time, built on a right-hand side.
 
 Time is scaled to the interval, so its length is an argument and not part of the code: one
@@ -35,13 +35,16 @@ def interval(rhs: ca.Function, name: str, method: str) -> ca.Function:
     casadi.Function
         (x0, u, p, h) -> xf, with h in seconds.
     """
-    nx, nu, np = (rhs.size1_in(k) for k in range(3))
-    x, u, p, h = (ca.SX.sym(s, n) for s, n in zip("xuph", (nx, nu, np, 1), strict=True))
+    sizes = [*(rhs.size1_in(k) for k in range(3)), 1]
+    x, u, p, h = (ca.SX.sym(s, n) for s, n in zip("xuph", sizes, strict=True))
     scaled = {"x": x, "u": u, "p": ca.vertcat(p, h), "ode": h * rhs(x, u, p)}
     step = ca.integrator(f"{name}_step", "erk", scaled, 0.0, 1.0, METHODS[method])
-    x0, u, p, h = (ca.MX.sym(s, n) for s, n in zip("xuph", (nx, nu, np, 1), strict=True))
-    xf = step(x0=x0, u=u, p=ca.vertcat(p, h))["xf"]
-    return ca.Function(name, [x0, u, p, h], [xf], ["x0", "u", "p", "h"], ["xf"])
+    start, inputs, parameters, length = (
+        ca.MX.sym(s, n) for s, n in zip("xuph", sizes, strict=True)
+    )
+    end = step(x0=start, u=inputs, p=ca.vertcat(parameters, length))["xf"]
+    arguments = [start, inputs, parameters, length]
+    return ca.Function(name, arguments, [end], ["x0", "u", "p", "h"], ["xf"])
 
 
 def derivatives(function: ca.Function) -> list[ca.Function]:

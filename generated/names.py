@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 4a0caa765fee57d6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 3592f43898c580f8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -25,7 +25,7 @@ class Signature(NamedTuple):
     outputs: tuple[str, ...]
 
 
-DIGEST = "4a0caa765fee57d6"
+DIGEST = "3592f43898c580f8"
 
 QUANTITIES = {
     q.symbol: q

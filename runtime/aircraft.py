@@ -95,7 +95,9 @@ class Aircraft:
         if path.suffix != ".toml":
             packaged = {p.name.removesuffix(".toml"): p for p in _packaged()}
             if str(name) not in packaged:
-                raise unknown("aircraft", str(name), packaged, "the packaged ones (a file ends in .toml)")
+                raise unknown(
+                    "aircraft", str(name), packaged, "the packaged ones (a file ends in .toml)"
+                )
             path = Path(str(packaged[str(name)]))
         try:
             data = tomllib.loads(path.read_text(encoding="utf-8"))
@@ -138,7 +140,9 @@ class Aircraft:
         GroundloopError
             If the name is unknown, or the value is neither given nor follows.
         """
-        return self._resolve(symbol(name, "parameter", _parameter_symbols(), f"aircraft {self.name}"))
+        return self._resolve(
+            symbol(name, "parameter", _parameter_symbols(), f"aircraft {self.name}")
+        )
 
     def __contains__(self, name: object) -> bool:
         try:
@@ -197,7 +201,9 @@ class Aircraft:
         for s in self:
             q = QUANTITIES[s]
             origin = self.sources.get(s, Source()).text if s in self.given else "follows"
-            lines.append(f"  {s:<12}{_short(self[s]):>14} {q.unit:<12} {q.name:<32} {origin}".rstrip())
+            lines.append(
+                f"  {s:<12}{_short(self[s]):>14} {q.unit:<12} {q.name:<32} {origin}".rstrip()
+            )
         return "\n".join(lines)
 
 

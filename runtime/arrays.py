@@ -1,4 +1,4 @@
-"""Checks at the border: CasADi broadcasts, pads and zero-fills in silence, so nothing gets past here."""
+"""Checks at the border, because CasADi broadcasts, pads and zero-fills in silence."""
 
 from __future__ import annotations
 
@@ -27,7 +27,9 @@ def finite(name: str, value: Any) -> FloatArray:
     try:
         array = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError) as problem:
-        raise GroundloopError(f"{name} must be a number or an array of numbers, not {value!r}") from problem
+        raise GroundloopError(
+            f"{name} must be a number or an array of numbers, not {value!r}"
+        ) from problem
     bad = ~np.isfinite(array)
     if bad.any():
         raise GroundloopError(f"{name} must be finite, but {_where(name, array, bad)}")

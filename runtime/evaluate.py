@@ -53,7 +53,9 @@ def columns(name: str, *arguments: FloatArray) -> list[FloatArray]:
     """
     function = generated.load(name)
     count = arguments[0].shape[1]
-    results = function.map(count).call(list(arguments)) if count > 1 else function.call(list(arguments))
+    results = (
+        function.map(count).call(list(arguments)) if count > 1 else function.call(list(arguments))
+    )
     matrices = []
     for k, result in enumerate(results):
         rows, width = function.size_out(k)

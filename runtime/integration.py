@@ -98,7 +98,9 @@ def _repeat_columns(u: Any, counts: Sequence[int]) -> list[Any]:
 def _grid(t: Any) -> FloatArray:
     times = np.atleast_1d(finite("t", t))
     if times.ndim != 1 or times.size == 0:
-        raise GroundloopError(f"t must be a number or a list of numbers, not of shape {times.shape}")
+        raise GroundloopError(
+            f"t must be a number or a list of numbers, not of shape {times.shape}"
+        )
     if times[0] <= 0 or (np.diff(times) <= 0).any():
         raise GroundloopError("t must be positive and increasing; the start, t = 0, is left out")
     return times

@@ -142,8 +142,12 @@ def linearize(
         return values.reshape(*shape, *values.shape[1:])
 
     A = shaped(fx[:, dynamic][:, :, dynamic])
-    modes = elementwise("modes", {f"A_{i}{j}": A[..., k, n] for k, i in enumerate("vr") for n, j in enumerate("vr")})
-    eigenvalues = np.stack([modes["re_1"] + 1j * modes["im_1"], modes["re_2"] + 1j * modes["im_2"]], -1)
+    modes = elementwise(
+        "modes", {f"A_{i}{j}": A[..., k, n] for k, i in enumerate("vr") for n, j in enumerate("vr")}
+    )
+    eigenvalues = np.stack(
+        [modes["re_1"] + 1j * modes["im_1"], modes["re_2"] + 1j * modes["im_2"]], -1
+    )
     return Linearization(
         A=A,
         B=shaped(fu[:, dynamic]),

@@ -102,7 +102,7 @@ def _read(tire: str, x0: FloatArray, u: FloatArray, p: FloatArray) -> tuple[floa
 
 def _until_rest(tire: str, x0: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray | None:
     """States at every step until v and r have died out; None if they don't."""
-    window = integrator(tire, "rk45", _STEP * np.arange(1, _WINDOW + 1))
+    window = integrator(tire, "rk45", _STEP * np.arange(1.0, _WINDOW + 1))
     names = signature(tire)
     moving = [names.states.index(s) for s in names.dynamic]
     parts = [x0[:, None]]
@@ -148,5 +148,7 @@ def _crossing(t: FloatArray, f: FloatArray, rate: FloatArray, k: int, level: flo
     )
     for i, j in pairwise(range(s.size)):
         if (cubic[i] - level) * (cubic[j] - level) <= 0 and cubic[i] != cubic[j]:
-            return float(t[k] + h * (s[i] + (level - cubic[i]) / (cubic[j] - cubic[i]) * (s[j] - s[i])))
+            return float(
+                t[k] + h * (s[i] + (level - cubic[i]) / (cubic[j] - cubic[i]) * (s[j] - s[i]))
+            )
     return float(t[k + 1])

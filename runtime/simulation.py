@@ -168,7 +168,9 @@ def _advance(F: Any, x0: FloatArray, u: FloatArray, p: FloatArray, which: str) -
     try:
         x = np.array(F(x0, u, p), dtype=np.float64)
     except RuntimeError as problem:
-        raise GroundloopError(f"{which}: the integration failed; the motion grows without bound") from problem
+        raise GroundloopError(
+            f"{which}: the integration failed; the motion grows without bound"
+        ) from problem
     if not np.isfinite(x).all():
         raise GroundloopError(f"{which}: the motion grows beyond what a number can hold")
     return x

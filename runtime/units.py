@@ -37,7 +37,9 @@ def to_si(text: str, unit: str, where: str) -> float:
     """
     match = _NUMBER.match(text)
     if match is None:
-        raise GroundloopError(f"{where}: {text!r} is not a number with a unit, such as '1.5 {unit}'")
+        raise GroundloopError(
+            f"{where}: {text!r} is not a number with a unit, such as '1.5 {unit}'"
+        )
     number, given = float(match[1]), match[2]
     if not given:
         return number
@@ -60,7 +62,9 @@ def _factor(given: str, unit: str, where: str) -> float:
     except pint.DimensionalityError:
         raise GroundloopError(f"{where}: {given!r} does not measure what {unit} measures") from None
     except Exception:
-        raise GroundloopError(f"{where}: unknown unit {given!r}; expected one like {unit}") from None
+        raise GroundloopError(
+            f"{where}: unknown unit {given!r}; expected one like {unit}"
+        ) from None
 
 
 def _parsed(unit: str) -> Any:

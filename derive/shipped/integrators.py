@@ -34,13 +34,16 @@ def interval(rhs: ca.Function, name: str, method: str) -> ca.Function:
     casadi.Function
         (x0, u, p, h) -> xf, with h in seconds.
     """
-    nx, nu, np = (rhs.size1_in(k) for k in range(3))
-    x, u, p, h = (ca.SX.sym(s, n) for s, n in zip("xuph", (nx, nu, np, 1), strict=True))
+    sizes = [*(rhs.size1_in(k) for k in range(3)), 1]
+    x, u, p, h = (ca.SX.sym(s, n) for s, n in zip("xuph", sizes, strict=True))
     scaled = {"x": x, "u": u, "p": ca.vertcat(p, h), "ode": h * rhs(x, u, p)}
     step = ca.integrator(f"{name}_step", "erk", scaled, 0.0, 1.0, METHODS[method])
-    x0, u, p, h = (ca.MX.sym(s, n) for s, n in zip("xuph", (nx, nu, np, 1), strict=True))
-    xf = step(x0=x0, u=u, p=ca.vertcat(p, h))["xf"]
-    return ca.Function(name, [x0, u, p, h], [xf], ["x0", "u", "p", "h"], ["xf"])
+    start, inputs, parameters, length = (
+        ca.MX.sym(s, n) for s, n in zip("xuph", sizes, strict=True)
+    )
+    end = step(x0=start, u=inputs, p=ca.vertcat(parameters, length))["xf"]
+    arguments = [start, inputs, parameters, length]
+    return ca.Function(name, arguments, [end], ["x0", "u", "p", "h"], ["xf"])
 
 
 def derivatives(function: ca.Function) -> list[ca.Function]:

@@ -1,0 +1,50 @@
+# groundloop: `make` builds everything and runs the study; `make test` proves it.
+
+PYTHON ?= python3
+VENV   ?= .venv
+BIN    := $(VENV)/bin
+STAMP  := $(VENV)/.installed
+
+.DEFAULT_GOAL := study
+.PHONY: study derive compile test lint types drift unit bench clean help
+
+study: compile  ## every table and figure of the thesis, into ./study (the default)
+	$(BIN)/groundloop study --out study
+
+$(STAMP): pyproject.toml
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade pip
+	$(BIN)/python -m pip install --quiet --editable ".[dev]"
+	touch $@
+
+derive: $(STAMP)  ## regenerate the equations: generated/ from derive/
+	$(BIN)/python -m groundloop.derive
+
+compile: $(STAMP) derive  ## compile every generated function into the user's cache
+	$(BIN)/python -c "from groundloop import generated; [generated.load(f) for f in generated.FUNCTIONS]"
+
+test: lint types drift unit  ## everything that proves it
+
+lint: $(STAMP)  ## style
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+types: $(STAMP)  ## static types; mypy sees the folders under their installed names
+	rm -rf build/types && mkdir -p build/types/groundloop
+	ln -s $(CURDIR)/runtime/* $(CURDIR)/derive $(CURDIR)/generated build/types/groundloop/
+	cd build/types && MYPYPATH=. $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml -p groundloop
+
+drift: $(STAMP)  ## generated/ is exactly what derive/ makes
+	$(BIN)/python -m groundloop.derive --check
+
+unit: $(STAMP)  ## the test suite
+	$(BIN)/python -m pytest -n 2
+
+bench: $(STAMP)  ## speed, side by side with other tools; not part of the tests
+	$(BIN)/python tests/benchmarks/run.py
+
+clean:  ## remove what was built here
+	rm -rf build study *.egg-info .mypy_cache .ruff_cache .pytest_cache .hypothesis
+
+help:  ## this list
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*##/\t/' | expand -t 12
