@@ -14,9 +14,10 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import sympy as sp
+from hypothesis import strategies as st
+
 from groundloop.derive.linear import linear
 from groundloop.derive.model import Model, nonlinear
-from hypothesis import strategies as st
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Point = tuple[Array, Array, Array]

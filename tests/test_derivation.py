@@ -4,6 +4,8 @@ import pickle
 
 import pytest
 import sympy as sp
+from sympy.physics.vector import Vector, dynamicsymbols
+
 from groundloop.derive.components import Component, Force, disturbance, main_gear, slip_angle
 from groundloop.derive.equation import Equation, expand, merge, needed
 from groundloop.derive.kinematics import (
@@ -37,7 +39,6 @@ from groundloop.derive.quantities import (
     y,
 )
 from groundloop.derive.tire import linear_tire, nonlinear_tire
-from sympy.physics.vector import Vector, dynamicsymbols
 
 delta = Quantity("delta", "steering_angle", "rad", "nose wheel turned to the right")
 l_n = Quantity("l_n", "nose_wheel_arm", "m", "nose wheel ahead of the CG")
