@@ -1,0 +1,30 @@
+"""A progress bar on a terminal; silence elsewhere."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+
+import click
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[str, int, int], None]]:
+    """Yield a function of (what is being done, steps done, steps in all) that shows a bar."""
+    with ExitStack() as stack:
+        bars = []
+
+        def show(label: str, done: int, total: int) -> None:
+            if not bars:
+                hidden = not sys.stderr.isatty()
+                bar = click.progressbar(
+                    length=total,
+                    file=sys.stderr,
+                    hidden=hidden,
+                    item_show_func=lambda item: item,
+                )
+                bars.append(stack.enter_context(bar))
+            bars[0].update(done - bars[0].pos, label)
+
+        yield show

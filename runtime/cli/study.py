@@ -1,0 +1,29 @@
+"""``groundloop study``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from .progress import progress
+
+
+@click.command(
+    name="study",
+    epilog="Example: groundloop study --out study, then open study/report.html",
+)
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    default=Path("study"),
+    show_default=True,
+    help="Folder for report, tables, figures and ledger.",
+)
+def command(out: Path) -> None:
+    """Compute every table and figure of Brott's thesis and compare with the print."""
+    from .. import study
+
+    with progress() as show:
+        summary = study.run(out, show)
+    click.echo(summary)
