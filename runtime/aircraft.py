@@ -151,7 +151,7 @@ class Aircraft:
             return False
         return True
 
-    def parameters(self, tire: str, speed: Any = None) -> tuple[FloatArray, tuple[int, ...]]:
+    def parameters(self, tire: str, speed: Any = None) -> FloatArray:
         """The parameter vector of a model.
 
         Parameters
@@ -163,14 +163,38 @@ class Aircraft:
 
         Returns
         -------
-        p : ndarray, shape (n, *shape)
-            In the order of ``generated.MODELS[tire].parameters``.
-        shape : tuple of int
-            Common shape of the parameters; () if none is an array.
+        ndarray, shape (n, ...)
+            In the order of ``generated.MODELS[tire].parameters``; the rest of the shape is what
+            the parameters broadcast to, nothing if none is an array.
         """
         plane = self if speed is None else self.replace(u=speed)
-        arrays, shape = broadcast({s: plane[s] for s in signature(tire).parameters})
-        return np.stack(list(arrays.values())), shape
+        arrays, _ = broadcast({s: plane[s] for s in signature(tire).parameters})
+        return np.stack(list(arrays.values()))
+
+    def columns(
+        self, tire: str, **others: FloatArray
+    ) -> tuple[FloatArray, dict[str, FloatArray], tuple[int, ...]]:
+        """Parameters and other arrays, broadcast together and laid out one column per case.
+
+        Parameters
+        ----------
+        tire : str
+            ``"linear"`` or ``"nonlinear"``.
+        **others : ndarray
+            Whatever goes with the parameters, by name.
+
+        Returns
+        -------
+        p : ndarray, shape (n, N)
+            Parameter vectors.
+        others : dict of ndarray, each of shape (N,)
+        shape : tuple of int
+            What they broadcast to; its product is N.
+        """
+        names = signature(tire).parameters
+        arrays, shape = broadcast({**{s: self[s] for s in names}, **others})
+        flat = {name: array.ravel() for name, array in arrays.items()}
+        return np.stack([flat[s] for s in names]), {name: flat[name] for name in others}, shape
 
     @cached_property
     def _known(self) -> dict[str, FloatArray]:

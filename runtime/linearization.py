@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, broadcast, finite
+from .arrays import FloatArray, finite
 from .evaluate import columns, elementwise
 from .names import signature
 
@@ -122,17 +122,15 @@ def linearize(
         point = OperatingPoint(point.v, point.r, disturbance)
     names = signature(tire)
     aircraft = plane if speed is None else plane.replace(u=speed)
-    p, _ = aircraft.parameters(tire)
-    operating = {
-        "v": finite("at.v", point.v),
-        "r": finite("at.r", point.r),
-        "disturbance": finite("disturbance", point.disturbance),
-    }
-    arrays, shape = broadcast({"parameters": p[0], **operating})
-    zero = np.zeros(shape)
-    x = np.stack([arrays.get(s, zero) for s in names.states]).reshape(len(names.states), -1)
-    u = arrays["disturbance"].reshape(1, -1)
-    p = np.broadcast_to(p, (len(p), *shape)).reshape(len(p), -1)
+    p, flat, shape = aircraft.columns(
+        tire,
+        v=finite("at.v", point.v),
+        r=finite("at.r", point.r),
+        disturbance=finite("disturbance", point.disturbance),
+    )
+    zero = np.zeros(p.shape[1])
+    x = np.stack([flat.get(s, zero) for s in names.states])
+    u = flat["disturbance"][None]
 
     fx, fu, _, gx, gu, _ = columns(f"{tire}_jacobians", x, u, p)
     (rates,) = columns(f"{tire}_rhs", x, u, p)

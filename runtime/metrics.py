@@ -66,12 +66,9 @@ def metrics(run: Trajectory) -> Metrics:
     Metrics
         Read off a cubic through y and its derivative v at samples of 0.01 s.
     """
-    shape = run["v"].shape[:-1]
-    p, _ = run.aircraft.parameters(run.tire)
-    p = np.broadcast_to(p.reshape(len(p), *p.shape[1:]), (len(p), *shape)).reshape(len(p), -1)
-    u = np.broadcast_to(run.disturbance, shape).reshape(1, -1)
-    states = signature(run.tire).states
-    x0 = np.stack([run[s][..., 0].ravel() for s in states])
+    start = {s: run[s][..., 0] for s in signature(run.tire).states}
+    p, flat, shape = run.aircraft.columns(run.tire, disturbance=run.disturbance, **start)
+    x0, u = np.stack([flat[s] for s in start]), flat["disturbance"][None]
     rows = [_read(run.tire, x0[:, k], u[:, k], p[:, k]) for k in range(p.shape[1])]
     return Metrics(*(np.array(column).reshape(shape) for column in zip(*rows, strict=True)))
 

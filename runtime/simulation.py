@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, broadcast, finite
+from .arrays import FloatArray, finite
 from .errors import GroundloopError, unknown
 from .evaluate import columns
 from .generated.names import QUANTITIES
@@ -128,18 +128,15 @@ def simulate(
     if duration <= 0 or int(samples) != samples or samples < 2:
         raise GroundloopError(f"t must be positive and samples at least 2, not {t} and {samples}")
     aircraft = plane if speed is None else plane.replace(u=speed)
-    p, shape = aircraft.parameters(tire)
     force = finite("disturbance", disturbance)
     start = _initial_state(initial, names.states)
-    arrays, shape = broadcast({"parameters": p[0], "disturbance": force, **start})
+    p, flat, shape = aircraft.columns(tire, disturbance=force, **start)
 
     times = np.linspace(0.0, duration, int(samples))
     F = integrator(tire, method, times[1:])
-    count = int(np.prod(shape))
-    x0 = np.stack([arrays[s].ravel() for s in names.states])
-    u = arrays["disturbance"].reshape(1, -1)
-    p = np.broadcast_to(p, (len(p), *shape)).reshape(len(p), count)
-
+    x0 = np.stack([flat[key] for key in start])
+    u = flat["disturbance"][None]
+    count = p.shape[1]
     x = np.empty((count, len(names.states), times.size))
     y = np.empty((count, len(names.outputs), times.size))
     for k in range(count):
@@ -157,11 +154,11 @@ def simulate(
 
 
 def _initial_state(initial: Mapping[str, Any], states: tuple[str, ...]) -> dict[str, FloatArray]:
-    allowed = {f"{s}0": s for s in states}
+    allowed = [f"{s}0" for s in states]
     for name in initial:
         if name not in allowed:
             raise unknown("argument", name, [*allowed, "speed", "disturbance"], "simulate")
-    return {s: finite(key, initial.get(key, 0.0)) for key, s in allowed.items()}
+    return {key: finite(key, initial.get(key, 0.0)) for key in allowed}
 
 
 def _advance(F: Any, x0: FloatArray, u: FloatArray, p: FloatArray, which: str) -> FloatArray:
