@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import closed_forms as closed
 from . import loads, tire
 from .casadi_source import Argument, FunctionSpec, Result, cancel_tangents
 from .components import alpha
@@ -15,26 +14,9 @@ from .equation import Chain, needed
 from .jacobian import jacobian, tangents
 from .linear import linear
 from .model import Model, nonlinear
-from .quantities import (
-    B1,
-    C1,
-    D1,
-    E1,
-    PARAMETERS,
-    STATES,
-    Ap,
-    C_alpha,
-    CL_gamma,
-    Ct,
-    Fz,
-    Izz,
-    Quantity,
-    a,
-    b,
-    m,
-    rho,
-    u,
-)
+from .quantities import B1, C1, D1, E1, PARAMETERS, STATES, Fz, Quantity
+from .scalar_functions import ordered, scalar_function
+from .stability_functions import stability_functions
 
 
 @dataclass(frozen=True)
@@ -91,25 +73,6 @@ def model_functions(model: Model) -> tuple[FunctionSpec, ...]:
     )
 
 
-def scalar_function(
-    name: str,
-    summary: str,
-    arguments: Sequence[Quantity],
-    results: Sequence[Quantity],
-    chain: Chain,
-) -> FunctionSpec:
-    """A function of named scalars, to be applied element by element."""
-    outputs = tuple(Result(str(q), sp.Matrix([q]), f"{q.meaning} [{q.unit}]") for q in results)
-    inputs = tuple(map(Argument.scalar, arguments))
-    return FunctionSpec(name, name, summary, inputs, outputs, needed(chain, results))
-
-
-def _ordered(chain: Chain) -> tuple[Quantity, ...]:
-    """The parameters a chain depends on, in their declared order."""
-    free = {s for e in chain for s in e.rhs.free_symbols} - {e.lhs for e in chain}
-    return tuple(q for q in PARAMETERS if q in free)
-
-
 def _loads_module() -> Module:
     """One function for each parameter that follows from others where it is not given."""
     chain = loads.static_loads()
@@ -140,7 +103,7 @@ def _tire_module() -> Module:
             scalar_function(
                 "tire_force",
                 "Lateral force of one tire at a slip angle and load.",
-                (alpha, *_ordered(force)),
+                (alpha, *ordered(force)),
                 (F_y, alpha_bar, F_bar, C_c, mu),
                 force,
             ),
@@ -170,45 +133,10 @@ def _tire_module() -> Module:
 
 
 def _stability_module() -> Module:
-    airframe = (m, Izz, a, b, u, rho, Ap, CL_gamma, C_alpha, Ct)
-    stiffness = closed.stiffnesses()
     return Module(
         "stability",
         "Closed forms of the linear model (Section 4.7 and what it leaves unsaid).",
-        (
-            scalar_function(
-                "state_matrix",
-                "A of the linear model.",
-                airframe,
-                closed.STATE_MATRIX,
-                (*stiffness, *closed.state_matrix()),
-            ),
-            scalar_function(
-                "routh_hurwitz",
-                "Trace and determinant of A: stable if and only if trace < 0 < det.",
-                airframe,
-                (closed.trace, closed.det, closed.discriminant),
-                (*stiffness, *closed.routh_hurwitz()),
-            ),
-            scalar_function(
-                "modes",
-                "Eigenvalues of a 2 x 2 state matrix and what is read from them.",
-                closed.STATE_MATRIX,
-                (
-                    *(closed.re_1, closed.im_1, closed.re_2, closed.im_2),
-                    *(closed.decay_rate, closed.natural_frequency),
-                    *(closed.damped_frequency, closed.damping_ratio),
-                ),
-                closed.modes(),
-            ),
-            scalar_function(
-                "speed_window",
-                "Speeds between which the linear model is unstable; NaN where there are none.",
-                (m, a, b, rho, Ap, CL_gamma, C_alpha, Ct),
-                (closed.u_low, closed.u_high),
-                closed.speed_window(),
-            ),
-        ),
+        stability_functions(),
     )
 
 

@@ -51,8 +51,6 @@ q_0 = Quantity("q_0", "q_0", "N^2 m^2", "constant term of the speed polynomial",
 q_1 = Quantity("q_1", "q_1", "N kg m", "linear term of the speed polynomial", "q_1")
 q_2 = Quantity("q_2", "q_2", "kg^2", "quadratic term of the speed polynomial", "q_2")
 q_root = Quantity("q_root", "q_root", "N kg m", "the positive combination of its roots", r"\hat{q}")
-s_low = Quantity("s_low", "s_low", "m^2/s^2", "the smaller root", r"s_{\mathrm{low}}")
-s_high = Quantity("s_high", "s_high", "m^2/s^2", "the larger root", r"s_{\mathrm{high}}")
 u_low = Quantity(
     "u_low",
     "lower_critical_speed",
@@ -74,7 +72,8 @@ def stiffnesses() -> Chain:
     )
 
 
-def _in_stiffnesses(expr: sp.Expr) -> sp.Expr:
+def in_stiffnesses(expr: sp.Expr) -> sp.Expr:
+    """`expr` with the axle stiffnesses C_f and K in place of what they are made of."""
     return sp.expand(expr).subs({C_alpha: C_f / 2, Ct: K - rho * Ap * CL_gamma / 2 * u**2})
 
 
@@ -82,7 +81,7 @@ def state_matrix() -> Chain:
     """The entries of A in axle stiffnesses."""
     A, *_ = state_space(linear())
     return tuple(
-        Equation(entry, sp.factor(_in_stiffnesses(value)), "Eq. 4.31")
+        Equation(entry, sp.factor(in_stiffnesses(value)), "Eq. 4.31")
         for entry, value in zip(STATE_MATRIX, A, strict=True)
     )
 
@@ -90,8 +89,8 @@ def state_matrix() -> Chain:
 def routh_hurwitz() -> Chain:
     """Trace and determinant: lambda^2 - tr A lambda + det A = 0 is stable iff tr A < 0 < det A."""
     A, *_ = state_space(linear())
-    tr = sp.collect(sp.expand(_in_stiffnesses(A.trace())), [C_f, K])
-    determinant = sp.collect(sp.expand(_in_stiffnesses(A.det())), [C_f * K, C_f, K], sp.factor)
+    tr = sp.collect(sp.expand(in_stiffnesses(A.trace())), [C_f, K])
+    determinant = sp.collect(sp.expand(in_stiffnesses(A.det())), [C_f * K, C_f, K], sp.factor)
     return (
         Equation(trace, tr, "Section 4.7"),
         Equation(det, determinant, "Section 4.7"),
@@ -122,10 +121,15 @@ def modes() -> Chain:
     )
 
 
+def tail_area() -> dict[Quantity, sp.Expr]:
+    """The tail's area in terms of k, to put k in its place."""
+    return {Ap: 2 * k / (rho * CL_gamma)}
+
+
 def speed_polynomial() -> Chain:
     """Coefficients of q_2 s^2 + q_1 s + q_0, which has the sign of det A, with s = u^2."""
     A, *_ = state_space(linear())
-    stiffness = {C_alpha: C_f / 2, Ap: 2 * k / (rho * CL_gamma)}
+    stiffness = {C_alpha: C_f / 2, **tail_area()}
     numerator = sp.numer(sp.together(A.det().subs(stiffness)))
     polynomial = sp.Poly(sp.expand(numerator.subs(u, sp.sqrt(s))), s)
     coefficients = [sp.factor(c) for c in reversed(polynomial.all_coeffs())]
@@ -139,14 +143,14 @@ def speed_window() -> Chain:
     """Critical speeds: the aircraft is unstable between them.
 
     q_0 and q_2 are never negative, so both roots are positive or none is, and the form with
-    q_root loses no digits. NaN means no such speed; without a tail the upper one is infinite.
+    q_root loses no digits: s_low = 2 q_0 / q_root and s_high = q_root / (2 q_2). Their roots are
+    written so that no window is NaN at both ends, also where there is no tail wheel (q_0 = 0) or
+    no vertical tail (q_2 = 0, and the upper end of a window is infinite).
     """
     return (
         *stiffnesses(),
         *speed_polynomial(),
         Equation(q_root, -q_1 + sp.sqrt(q_1**2 - 4 * q_0 * q_2), "from det A = 0"),
-        Equation(s_low, 2 * q_0 / q_root, "from det A = 0"),
-        Equation(s_high, q_root / (2 * q_2), "from det A = 0"),
-        Equation(u_low, sp.sqrt(s_low), "from det A = 0"),
-        Equation(u_high, sp.sqrt(s_high), "from det A = 0"),
+        Equation(u_low, sp.sqrt(2 * q_0 * q_root) / q_root, "from det A = 0"),
+        Equation(u_high, q_root / sp.sqrt(2 * q_2 * q_root), "from det A = 0"),
     )

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
-from . import closed_forms as closed
 from .catalogue import Module
 from .equation import Chain
 from .kinematics import path_rates
 from .loads import static_loads
 from .model import Model
 from .quantities import Quantity
+from .stability_sections import stability_sections
 
 
 def equation_sheet(derived: Sequence[Module]) -> str:
@@ -31,28 +31,9 @@ def equation_sheet(derived: Sequence[Module]) -> str:
     for model in models:
         lines += _model_section(model)
     lines += _section("Loads and stiffnesses", static_loads())
-    lines += _section("Stability: axle stiffnesses and state matrix", _state_matrix_chain())
-    lines += _section("Stability: Routh–Hurwitz", closed.routh_hurwitz(), _ROUTH_HURWITZ)
-    lines += _section("Stability: modes", closed.modes())
-    lines += _section("Stability: critical speeds", closed.speed_window(), _SPEEDS)
+    for title, chain, text in stability_sections(models):
+        lines += _section(title, chain, text)
     return "\n".join([*lines, *_symbol_table(models)])
-
-
-_ROUTH_HURWITZ = (
-    "The characteristic polynomial is $\\lambda^2 - \\operatorname{tr}A\\,\\lambda + \\det A$. The"
-    " aircraft is stable if and only if $\\operatorname{tr}A < 0$ and $\\det A > 0$. The trace is"
-    " negative whenever a stiffness is; the determinant decides."
-)
-_SPEEDS = (
-    "With $s = u^2$, $\\det A$ has the sign of $q_2 s^2 + q_1 s + q_0$: the aircraft is unstable"
-    " between $u_{\\mathrm{low}}$ and $u_{\\mathrm{high}}$, and at no speed if"
-    " $q_1 > -2\\sqrt{q_0 q_2}$, that is if"
-    " $\\sqrt{m a C_f} < \\sqrt{m b C_{f\\,\\mathrm{tail}}} + L\\sqrt{C_f k}$."
-)
-
-
-def _state_matrix_chain() -> Chain:
-    return (*closed.stiffnesses(), *closed.state_matrix())
 
 
 def _model_section(model: Model) -> Iterator[str]:

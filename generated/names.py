@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 3592f43898c580f8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 51377ab9e4b2a1a4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -25,7 +25,7 @@ class Signature(NamedTuple):
     outputs: tuple[str, ...]
 
 
-DIGEST = "3592f43898c580f8"
+DIGEST = "51377ab9e4b2a1a4"
 
 QUANTITIES = {
     q.symbol: q
@@ -100,8 +100,48 @@ QUANTITIES = {
         Quantity("natural_frequency", "natural_frequency", "rad/s", "undamped natural frequency", "\\omega_n", ""),
         Quantity("damped_frequency", "damped_frequency", "rad/s", "|Im(eigenvalue)|", "\\omega_d", ""),
         Quantity("damping_ratio", "damping_ratio", "1", "above 1: two real eigenvalues", "\\zeta", ""),
+        Quantity("T_half", "time_to_half", "s", "in which a deviation halves; infinite if it never does", "T_{1/2}", ""),
+        Quantity("T_double", "time_to_double", "s", "in which a deviation doubles; infinite if it never does", "T_2", ""),
         Quantity("u_low", "lower_critical_speed", "m/s", "the aircraft is unstable from here", "u_{\\mathrm{low}}", ""),
         Quantity("u_high", "upper_critical_speed", "m/s", "to here", "u_{\\mathrm{high}}", ""),
+        Quantity("u_weakest", "weakest_speed", "m/s", "speed at which det A is least", "u_{\\mathrm{weak}}", ""),
+        Quantity("det_weakest", "least_determinant", "1/s^2", "det A there", "\\det A_{\\mathrm{weak}}", ""),
+        Quantity("e_0", "e_0", "N^4 m^4 s^0", "coefficient of s^0: a real eigenvalue is stationary at a root", "e_{0}", ""),
+        Quantity("e_1", "e_1", "N^4 m^2 s^2", "coefficient of s^1: a real eigenvalue is stationary at a root", "e_{1}", ""),
+        Quantity("e_2", "e_2", "N^4 m^0 s^4", "coefficient of s^2: a real eigenvalue is stationary at a root", "e_{2}", ""),
+        Quantity("e_3", "e_3", "N^4 m^-2 s^6", "coefficient of s^3: a real eigenvalue is stationary at a root", "e_{3}", ""),
+        Quantity("e_4", "e_4", "N^4 m^-4 s^8", "coefficient of s^4: a real eigenvalue is stationary at a root", "e_{4}", ""),
+        Quantity("u_trace", "least_damping_speed", "m/s", "speed at which -tr A is least", "u_{\\mathrm{tr}}", ""),
+        Quantity("x_neutral", "neutral_steer_point", "m", "ahead of the CG: where a side force gives no steady yaw rate", "x_{\\mathrm{N}}", ""),
+        Quantity("static_margin", "static_margin", "1", "neutral-steer point behind the CG, over the wheelbase: stable if positive", "\\mathit{SM}", ""),
+        Quantity("K_us", "understeer_gradient", "rad s^2/m", "steer angle of the main wheels per lateral acceleration beyond that of pure rolling", "K_{\\mathrm{us}}", ""),
+        Quantity("Ct_needed", "tail_wheel_stiffness_needed", "N/rad", "tail wheel stiffness at which det A = 0 at this speed; negative: stable without", "C_{f\\,\\mathrm{tail,\\,needed}}", ""),
+        Quantity("Ct_always", "tail_wheel_stiffness_always", "N/rad", "tail wheel stiffness from which det A > 0 at every speed", "C_{f\\,\\mathrm{tail,\\,always}}", ""),
+        Quantity("speed_margin", "speed_margin", "1", "sqrt(b Ct/(L C_f)) + sqrt(L k/m) - sqrt(a/L): positive is stable at every speed", "\\mathit{VM}", ""),
+        Quantity("a_lost", "gear_arm_lost", "m", "gear ahead of the CG: unstable from here", "a_{\\mathrm{lost}}", ""),
+        Quantity("a_regained", "gear_arm_regained", "m", "to here", "a_{\\mathrm{regained}}", ""),
+        Quantity("a_always", "gear_arm_always", "m", "gear ahead of the CG: stable at every speed up to here; NaN: anywhere", "a_{\\mathrm{always}}", ""),
+        Quantity("u_touch", "touching_speed", "m/s", "speed at which det A is least", "u_{\\mathrm{touch}}", ""),
+        Quantity("p_0", "p_0", "N^2 m/kg", "coefficient of tail_load_fraction^0", "p_{0}", ""),
+        Quantity("p_1", "p_1", "N^2 m/kg", "coefficient of tail_load_fraction^1", "p_{1}", ""),
+        Quantity("p_2", "p_2", "N^2 m/kg", "coefficient of tail_load_fraction^2", "p_{2}", ""),
+        Quantity("p_3", "p_3", "N^2 m/kg", "coefficient of tail_load_fraction^3", "p_{3}", ""),
+        Quantity("p_4", "p_4", "N^2 m/kg", "coefficient of tail_load_fraction^4", "p_{4}", ""),
+        Quantity("p_5", "p_5", "N^2 m/kg", "coefficient of tail_load_fraction^5", "p_{5}", ""),
+        Quantity("g_0", "g_0", "N^2", "coefficient of tail_load_fraction^0", "g_{0}", ""),
+        Quantity("g_1", "g_1", "N^2", "coefficient of tail_load_fraction^1", "g_{1}", ""),
+        Quantity("g_2", "g_2", "N^2", "coefficient of tail_load_fraction^2", "g_{2}", ""),
+        Quantity("g_3", "g_3", "N^2", "coefficient of tail_load_fraction^3", "g_{3}", ""),
+        Quantity("g_4", "g_4", "N^2", "coefficient of tail_load_fraction^4", "g_{4}", ""),
+        Quantity("g_5", "g_5", "N^2", "coefficient of tail_load_fraction^5", "g_{5}", ""),
+        Quantity("g_6", "g_6", "N^2", "coefficient of tail_load_fraction^6", "g_{6}", ""),
+        Quantity("g_7", "g_7", "N^2", "coefficient of tail_load_fraction^7", "g_{7}", ""),
+        Quantity("g_8", "g_8", "N^2", "coefficient of tail_load_fraction^8", "g_{8}", ""),
+        Quantity("g_9", "g_9", "N^2", "coefficient of tail_load_fraction^9", "g_{9}", ""),
+        Quantity("g_10", "g_10", "N^2", "coefficient of tail_load_fraction^10", "g_{10}", ""),
+        Quantity("tail_fraction", "tail_load_fraction", "1", "share of the weight on the tail wheel", "\\phi", ""),
+        Quantity("a_loaded", "gear_arm_of_load", "m", "gear ahead of the CG at that share", "a_\\phi", ""),
+        Quantity("d_sum_M_d_alpha", "d_yaw_moment_d_main_gear_slip_angle", "(N m)/(rad)", "derivative of sum_M by alpha", "\\frac{\\partial \\sum M_z}{\\partial \\alpha}", ""),
     )
 }
 
@@ -149,5 +189,17 @@ FUNCTIONS = {
     "state_matrix": ("stability", "state_matrix", "stability"),
     "routh_hurwitz": ("stability", "routh_hurwitz", "stability"),
     "modes": ("stability", "modes", "stability"),
+    "times": ("stability", "times", "stability"),
     "speed_window": ("stability", "speed_window", "stability"),
+    "weakest_speed": ("stability", "weakest_speed", "stability"),
+    "stationary_decay": ("stability", "stationary_decay", "stability"),
+    "steady_margins": ("stability", "steady_margins", "stability"),
+    "tail_wheel_needed": ("stability", "tail_wheel_needed", "stability"),
+    "gear_position": ("stability", "gear_position", "stability"),
+    "gear_position_envelope": ("stability", "gear_position_envelope", "stability"),
+    "loaded_gear_position": ("stability", "loaded_gear_position", "stability"),
+    "loaded_gear_envelope": ("stability", "loaded_gear_envelope", "stability"),
+    "at_tail_load": ("stability", "at_tail_load", "stability"),
+    "linear_equilibrium": ("stability", "linear_equilibrium", "stability"),
+    "nonlinear_equilibrium": ("stability", "nonlinear_equilibrium", "stability"),
 }
