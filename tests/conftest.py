@@ -1,8 +1,13 @@
 """What every test shares: hypothesis draws the same examples on each run, against no clock."""
 
-from hypothesis import settings
+from hypothesis import Phase, settings
 
 settings.register_profile(
-    "groundloop", derandomize=True, database=None, deadline=None, max_examples=25
+    "groundloop",
+    derandomize=True,
+    database=None,
+    deadline=None,
+    max_examples=25,
+    phases=(Phase.explicit, Phase.generate, Phase.shrink),
 )
 settings.load_profile("groundloop")

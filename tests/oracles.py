@@ -106,12 +106,17 @@ _ELSE = (0.5, 2.0)
 
 
 def values(symbols: Iterable[object], **fixed: float) -> st.SearchStrategy[Array]:
-    """A value for each symbol, drawn from its range unless it is fixed."""
-    drawn = (
-        st.just(fixed[str(s)]) if str(s) in fixed else st.floats(*RANGES.get(str(s), _ELSE))
-        for s in symbols
-    )
-    return st.tuples(*drawn).map(np.array)
+    """A value for each symbol: what is fixed, or one of a thousand steps through its range.
+
+    Steps, because hypothesis is fond of 1e-300, which no aircraft measures.
+    """
+
+    def drawn(symbol: str) -> st.SearchStrategy[float]:
+        low, high = RANGES.get(symbol, _ELSE)
+        return st.integers(0, 1000).map(lambda n: round(low + (high - low) * n / 1000, 12))
+
+    each = (st.just(fixed[s]) if s in fixed else drawn(s) for s in map(str, symbols))
+    return st.tuples(*each).map(np.array)
 
 
 def points(model: str, **fixed: float) -> st.SearchStrategy[Point]:

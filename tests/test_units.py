@@ -1,0 +1,214 @@
+"""Dimensions: checked node by node in the derivation, and in the numbers that come out."""
+
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from oracles import Array, parameters, state, values
+
+from groundloop import generated
+from groundloop.derive import units
+from groundloop.derive.components import Component, Force, alpha, main_gear
+from groundloop.derive.equation import Equation
+from groundloop.derive.kinematics import i, j
+from groundloop.derive.model import assemble
+from groundloop.derive.quantities import F_disturbance, Quantity, a, m, r, u, v
+from groundloop.derive.tire import F_y, linear_tire
+from groundloop.derive.units import UnitError, unit, unit_of
+
+kg, metre, second = (units.BASE[name] for name in ("kg", "m", "s"))
+newton = kg * metre / second**2
+F = Quantity("F", "force", "N", "a force")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("1", 1),
+        ("rad", 1),
+        ("kg m^2", kg * metre**2),
+        ("N/rad", newton),
+        ("1/(rad N)", 1 / newton),
+        ("1/(rad N^3)", newton**-3),
+        ("N kg m", newton * kg * metre),
+        ("kg/m^3", kg / metre**3),
+        ("(m/s)/(kg m^2)", 1 / (second * kg * metre)),
+    ],
+)
+def test_a_unit_is_read_as_a_monomial(text: str, expected: sp.Expr):
+    assert unit(text) == expected
+
+
+@pytest.mark.xfail(strict=True, reason="SymPy takes any name for a symbol, so a slip passes")
+@pytest.mark.parametrize("text", ["furlong", "kgg", "deg", "N m s^-2 x", "S", "", "kg +"])
+def test_an_unknown_unit_is_refused(text: str):
+    with pytest.raises(UnitError, match=re.escape(repr(text))):
+        unit(text)
+
+
+@pytest.mark.parametrize(
+    ("expr", "expected"),
+    [
+        (m * u**2 / (2 * a), newton),
+        (sp.sqrt(u**2 + v**2), metre / second),
+        (sp.atan((v + a * r) / u), 1),
+        (sp.Max(v, 0), metre / second),
+        (sp.Abs(a), metre),
+        (sp.Piecewise((v, r > 0), (u, True)), metre / second),
+        (sp.Rational(2, 3), 1),
+    ],
+)
+def test_unit_of_an_expression(expr: sp.Expr, expected: sp.Expr):
+    assert unit_of(expr) == expected
+
+
+@pytest.mark.parametrize(
+    ("expr", "complaint"),
+    [
+        (v + r, "r has unit 1/s"),
+        (m * (v + a), "a has unit m"),
+        (sp.atan(v), "argument of atan in atan(v) has unit m/s"),
+        (sp.sin(a / u), "argument of sin in sin(a/u) has unit s"),
+        (u ** (r), "exponent of u**r has unit 1/s"),
+        (sp.Max(v, a), "v has unit m/s"),
+        (sp.Piecewise((v, r > 0), (a, True)), "a has unit m"),
+        (sp.atan(alpha * sp.sin(sp.cos(F / m) * alpha)), "argument of cos in cos(F/m)"),
+    ],
+)
+def test_a_wrong_term_is_named(expr: sp.Expr, complaint: str):
+    with pytest.raises(UnitError, match=re.escape(complaint)):
+        unit_of(expr)
+
+
+def test_a_sum_names_the_term_that_differs():
+    with pytest.raises(UnitError, match=r"-r\*u has unit m/s\*\*2"):
+        Equation(F, F_disturbance - r * u, "Eq. 4.36")
+
+
+def test_both_sides_of_an_equation_must_agree():
+    with pytest.raises(UnitError, match=r"F_y \(Eq. 3.1\): the right side has unit 1, the left"):
+        Equation(F_y, alpha, "Eq. 3.1")
+
+
+def test_zero_has_every_unit():
+    assert Equation(F, sp.Integer(0), "no force").rhs == 0
+
+
+def test_a_component_with_a_wrong_force_law_cannot_be_assembled():
+    """The weight forgotten in F = C_c alpha F_z: a coefficient where a stiffness belongs."""
+    C_c = Quantity("C_c", "cornering_coefficient", "1/rad", "stiffness over load")
+
+    def law(velocity: object) -> Force:
+        return Force(-F * j, (Equation(F, C_c * alpha, "typing error"),))
+
+    with pytest.raises(UnitError, match=r"F \(typing error\)"):
+        assemble("wrong", "", [main_gear(linear_tire), Component("wrong", a * i, law)])
+
+
+def test_a_force_where_a_moment_belongs_is_caught():
+    """A position given as a number, not as a length."""
+    beside = Component("beside", 2 * i, lambda velocity: Force(F_disturbance * j))
+    with pytest.raises(UnitError, match=r"2\*F_disturbance has unit"):
+        assemble("beside", "", [main_gear(linear_tire), beside])
+
+
+@pytest.mark.parametrize("symbol", generated.QUANTITIES)
+def test_every_generated_unit_can_be_read(symbol: str):
+    assert unit(generated.QUANTITIES[symbol].unit).free_symbols <= {kg, metre, second}
+
+
+# --- In the numbers -------------------------------------------------------------------------
+
+Scale = tuple[tuple[sp.Symbol, float], ...]
+#: Powers of two scale without rounding.
+SCALES = st.tuples(*[st.sampled_from([0.125, 0.25, 0.5, 2.0, 4.0, 8.0])] * 3).map(
+    lambda factors: tuple(zip((kg, metre, second), factors, strict=True))
+)
+UNITS = {symbol: quantity.unit for symbol, quantity in generated.QUANTITIES.items()}
+
+
+@cache
+def factor(text: str, scale: Scale) -> float:
+    return float(unit(text).subs(scale))
+
+
+def model_of(function: str) -> generated.Signature | None:
+    """The model whose vectors a generated function takes; None if it takes scalars."""
+    takes_vectors = generated.load(function).name_in(0) in ("x", "x0")
+    return generated.MODELS[function.split("_")[0]] if takes_vectors else None
+
+
+def symbols_in(function: str, argument: str) -> list[str]:
+    """What an argument of a generated function holds, entry by entry."""
+    model = model_of(function)
+    if model is None or argument == "h":
+        return [argument]
+    return list({"x": model.states, "u": model.inputs, "p": model.parameters}[argument[0]])
+
+
+def units_in(function: str, slot: str, units: dict[str, str]) -> list[str] | list[list[str]]:
+    """Units of an argument or a result of a generated function, entry by entry."""
+    model = model_of(function)
+    if model is None:
+        return [units[slot]]
+    states = [units[symbol] for symbol in model.states]
+    vectors = {
+        "x": states,
+        "x0": states,
+        "xf": states,
+        "xdot": [f"({text})/s" for text in states],
+        "u": [units[symbol] for symbol in model.inputs],
+        "p": [units[symbol] for symbol in model.parameters],
+        "y": [units[symbol] for symbol in model.outputs],
+        "h": ["s"],
+    }
+    if slot in vectors:
+        return vectors[slot]
+    rows, columns = vectors[{"f": "xdot", "g": "y"}[slot[0]]], vectors[slot[1]]
+    return [[f"({row})/({column})" for column in columns] for row in rows]
+
+
+def assert_same_physics(
+    name: str, arguments: list[Array], scale: Scale, units: dict[str, str], tolerance: float = 0.0
+) -> None:
+    """A function gives the same results in two systems of units."""
+
+    def factors(slot: str) -> Array:
+        return np.vectorize(lambda text: factor(text, scale))(units_in(name, slot, units))
+
+    function = generated.load(name)
+    scaled = [x * factors(slot) for slot, x in zip(function.name_in(), arguments, strict=True)]
+    here, there = (function.call(point) for point in (arguments, scaled))
+    for slot, before, after in zip(function.name_out(), here, there, strict=True):
+        back = np.array(after) / factors(slot).reshape(after.shape)
+        before = np.array(before)
+        size = np.abs(before).max(initial=0) if tolerance else 0.0
+        np.testing.assert_allclose(
+            back, before, rtol=1e-14 + tolerance, atol=tolerance * size, err_msg=slot
+        )
+
+
+@pytest.mark.parametrize("name", generated.FUNCTIONS)
+@settings(max_examples=10)
+@given(data=st.data())
+def test_numbers_do_not_depend_on_the_units_of_mass_length_and_time(name: str, data: st.DataObject):
+    """To the last bit, but for the absolute tolerance of adaptive steps."""
+    arguments = generated.load(name).name_in()
+    point = [data.draw(values(symbols_in(name, argument))) for argument in arguments]
+    tolerance = 1e-9 if name.endswith("rk45") else 0.0
+    assert_same_physics(name, point, data.draw(SCALES), UNITS, tolerance)
+
+
+@pytest.mark.parametrize("symbol", ["m", "Izz", "a", "u", "rho", "Ct", "C3", "C5"])
+def test_numbers_betray_a_wrong_unit(symbol: str):
+    """The check above can fail."""
+    wrong = {**UNITS, symbol: f"({UNITS[symbol]}) m"}
+    point = [state(v=1.0, r=0.1), np.zeros(1), parameters("nonlinear")]
+    scale = ((kg, 1.0), (metre, 2.0), (second, 1.0))
+    assert_same_physics("nonlinear_rhs", point, scale, UNITS)
+    with pytest.raises(AssertionError, match="xdot"):
+        assert_same_physics("nonlinear_rhs", point, scale, wrong)
