@@ -243,7 +243,7 @@ def test_hessian_in_ipopt_is_the_finite_difference_of_the_gradient(method: str, 
         lambda pushes: np.array(gradient(pushes, [])[1])[:, 0], start, np.full(start.size, 1e-3)
     )
     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-7 * abs(found).max())
-    assert np.linalg.eigvalsh(found).min() > 1e-4  # nothing in it is empty
+    assert abs(found).min() > 1e-3  # no block of it is empty
 
 
 def test_exact_hessians_solve_in_fewer_steps_to_the_same_answer():
