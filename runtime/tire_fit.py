@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, Protocol
 
 import casadi as ca
@@ -33,10 +32,16 @@ _HIGHEST = (np.inf, 2.0, np.inf, 1.0)
 
 _SECANT = np.radians(1.0)  # where Eq. 3.2 takes the cornering coefficient
 _FEWEST_ANGLES, _FEWEST_LOADS = 5, 2
-_QUIET = {
+_QUIET: dict[str, Any] = {
     "print_time": False,
     "error_on_fail": False,
-    "ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-12, "bound_relax_factor": 0.0},
+    "ipopt": {
+        "print_level": 0,
+        "sb": "yes",
+        "tol": 1e-12,
+        "acceptable_iter": 0,  # no "acceptable" point short of the minimum
+        "bound_relax_factor": 0.0,
+    },
 }
 
 
@@ -177,6 +182,9 @@ class TireFit:
         Root mean square error of the whole tire, with the straight lines, N.
     conditioning : float
         See `conditioning`.
+    at_edge : tuple of str
+        Which parameters of the magic formula lie on the edge of the search, where the minimum
+        is none of the free function; empty for a proper minimum.
     """
 
     data: TireData
@@ -188,6 +196,7 @@ class TireFit:
     rms: float
     force_rms: float
     conditioning: float
+    at_edge: tuple[str, ...]
 
     def __repr__(self) -> str:
         lines = [f"TireFit of {self.data.name!r}"]
@@ -197,6 +206,7 @@ class TireFit:
         lines += [
             f"  rms {self.rms:.5f} normalised, {self.force_rms:.1f} N",
             f"  conditioning {self.conditioning:.1e}",
+            *(f"  {s} is on the edge of the search: no proper minimum" for s in self.at_edge),
         ]
         return "\n".join(lines)
 
@@ -210,7 +220,9 @@ def fit_tire(
     least squares on the normalised data (IPOPT with exact derivatives). The search keeps
     B1, D1 > 0, 0 < C1 <= 2 and E1 <= 1, where the force cannot reverse at any slip angle.
     Beyond E1 = 1 lies a valley without a minimum (C1 to 0, D1 to infinity), which fits the
-    thesis's data 7 % better and is worthless beyond them; Table 3.2 is a point in it.
+    thesis's data 7 % better and is worthless beyond them; Table 3.2 is a point in it. The
+    search is local. On the thesis's data, starts anywhere lead to one and the same minimum, or
+    to a worse one on the edge, E1 = 1.
 
     Parameters
     ----------
@@ -236,7 +248,7 @@ def fit_tire(
     B5, C5 = _straight_line(data.loads, mu)
     magic = _least_squares(alpha_bar, F_bar, start, data.name)
     values = (B3, C3, B5, C5, *magic)
-    parameters = MappingProxyType(dict(zip((*LINES, *MAGIC), values, strict=True)))
+    parameters = dict(zip((*LINES, *MAGIC), values, strict=True))
     return TireFit(
         data=data,
         parameters=parameters,
@@ -247,6 +259,7 @@ def fit_tire(
         rms=normalised_rms(data, parameters),
         force_rms=force_rms(data, parameters),
         conditioning=conditioning(data, parameters),
+        at_edge=_at_edge(magic),
     )
 
 
@@ -274,7 +287,8 @@ def conditioning(data: TireData, parameters: ParameterSet) -> float:
     """
     residual, x = _residual(*data.normalised())
     jacobian = ca.Function("jacobian", [x], [ca.jacobian(residual, x)])
-    J = np.array(jacobian(list(_values(parameters, MAGIC).values())), dtype=np.float64)
+    x0 = [float(value) for value in _values(parameters, MAGIC).values()]
+    J = np.array(jacobian(x0), dtype=np.float64)
     scale = np.linalg.norm(J, axis=0)
     return float(np.linalg.cond(J / scale) ** 2) if scale.all() else float("inf")
 
@@ -369,7 +383,7 @@ def compare(
     if chosen <= 0:
         raise GroundloopError(f"load must be positive, not {chosen} N")
     rows = {name: _quality(data, name, parameters, chosen) for name, parameters in sets.items()}
-    return Comparison(data, chosen, MappingProxyType(rows))
+    return Comparison(data, chosen, rows)
 
 
 def _quality(data: TireData, name: str, parameters: ParameterSet, load: float) -> Quality:
@@ -437,6 +451,11 @@ def _least_squares(
             " start, and check that the forces level off within the measured slip angles"
         )
     return [float(value) for value in np.array(solution["x"]).ravel()]
+
+
+def _at_edge(magic: Sequence[float]) -> tuple[str, ...]:
+    near = np.isclose(magic, _LOWEST, atol=1e-6) | np.isclose(magic, _HIGHEST, atol=1e-6)
+    return tuple(s for s, there in zip(MAGIC, near, strict=True) if there)
 
 
 def _packaged() -> dict[str, Path]:
