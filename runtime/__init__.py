@@ -14,6 +14,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from . import gusts
     from .aircraft import Aircraft
     from .errors import GroundloopError
     from .integration import integrator
@@ -40,6 +41,9 @@ _HOME = {
     "speed_window": "stability",
 }
 
+#: Public modules, imported on first use too.
+_MODULES = ("gusts",)
+
 __all__ = [
     "Aircraft",
     "GroundloopError",
@@ -50,6 +54,7 @@ __all__ = [
     "TireData",
     "Trajectory",
     "fit_tire",
+    "gusts",
     "integrator",
     "linearize",
     "simulate",
@@ -58,6 +63,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    if name in _MODULES:
+        return importlib.import_module(f".{name}", __name__)
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f".{_HOME[name]}", __name__), name)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .arrays import FloatArray
+from .errors import GroundloopError
 from .integration import integrator
 from .names import signature
 
@@ -65,7 +66,18 @@ def metrics(run: Trajectory) -> Metrics:
     -------
     Metrics
         Read off a cubic through y and its derivative v at samples of 0.01 s.
+
+    Raises
+    ------
+    GroundloopError
+        If the disturbance of the run varies over time: these words describe the way from one
+        state to a steady one under a constant force.
     """
+    if run.gust is not None:
+        raise GroundloopError(
+            f"metrics describe the response to an initial state under a constant disturbance, and"
+            f" this run has a {run.gust.label}; read the series instead, e.g. abs(run['Y']).max()"
+        )
     start = {s: run[s][..., 0] for s in signature(run.tire).states}
     p, flat, shape = run.aircraft.columns(run.tire, disturbance=run.disturbance, **start)
     x0, u = np.stack([flat[s] for s in start]), flat["disturbance"][None]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +14,8 @@ from .arrays import FloatArray, finite
 from .errors import GroundloopError, unknown
 from .evaluate import columns
 from .generated.names import QUANTITIES
-from .integration import integrator
+from .gusts import Gust, as_gust
+from .integration import integrate, integrate_varying
 from .names import signature, symbol
 
 if TYPE_CHECKING:
@@ -38,7 +40,10 @@ class Trajectory:
     tire : str
         Which model.
     disturbance : ndarray
-        Side force on the tail, N.
+        Side force on the tail, N: constant, or over time, shape (*shape, samples), if `gust` is
+        given. ``run["disturbance"]`` is the series over time either way.
+    gust : Gust, optional
+        What varied over time; see `groundloop.gusts`.
     """
 
     t: FloatArray
@@ -46,6 +51,7 @@ class Trajectory:
     aircraft: Aircraft
     tire: str
     disturbance: FloatArray
+    gust: Gust | None = None
 
     def __getitem__(self, name: str) -> FloatArray:
         return self.values[symbol(name, "state or output", tuple(self.values), "this run")]
@@ -105,10 +111,12 @@ def simulate(
         Number of equally spaced samples, the first at 0 and the last at `t`.
     speed : float or array, optional
         Forward speed, m/s; default the aircraft's own.
-    disturbance : float or array
-        Constant side force on the vertical tail, N, positive to the right.
+    disturbance : float, array, Gust or callable
+        Side force on the vertical tail, N, positive to the right: constant, or over time as a
+        gust of `groundloop.gusts` or a function from an array of times, s, to an array of forces.
     method : str
-        ``"rk45"`` or ``"rk4"``; see `integrator`.
+        ``"rk45"`` or ``"rk4"``; see `integrator`, and `integration.integrate_varying` for a
+        disturbance that varies.
     **initial : float or array
         Initial states by symbol and a zero: ``v0``, ``r0``, ``y0``, ``theta0``, ``X0``, ``Y0``,
         ``psi0``; zero if omitted.
@@ -128,29 +136,44 @@ def simulate(
     if duration <= 0 or int(samples) != samples or samples < 2:
         raise GroundloopError(f"t must be positive and samples at least 2, not {t} and {samples}")
     aircraft = plane if speed is None else plane.replace(u=speed)
-    force = finite("disturbance", disturbance)
-    start = _initial_state(initial, names.states)
-    p, flat, shape = aircraft.columns(tire, disturbance=force, **start)
-
     times = np.linspace(0.0, duration, int(samples))
-    F = integrator(tire, method, times[1:])
+    start = _initial_state(initial, names.states)
+    gust = as_gust(disturbance)
+    force = finite("disturbance", disturbance) if gust is None else gust(times)
+    at_start = force if gust is None else force[..., 0]
+    p, flat, shape = aircraft.columns(tire, disturbance=at_start, **start)
     x0 = np.stack([flat[key] for key in start])
-    u = flat["disturbance"][None]
-    count = p.shape[1]
-    x = np.empty((count, len(names.states), times.size))
-    y = np.empty((count, len(names.outputs), times.size))
-    for k in range(count):
-        x[k, :, 0] = x0[:, k]
-        x[k, :, 1:] = _advance(F, x0[:, k], u[:, k], p[:, k], f"run {k} of {count}")
-        fixed = [np.repeat(part[:, None], times.size, axis=1) for part in (u[:, k], p[:, k])]
-        y[k] = columns(f"{tire}_outputs", x[k], *fixed)[0][:, :, 0].T
-
-    series = np.concatenate([x, y], axis=1)
+    if gust is None:
+        constant = flat["disturbance"][None]
+        after = integrate(tire, method, times[1:], x0, constant, p)
+        u = np.repeat(constant[:, :, None], times.size, axis=2)
+    else:
+        gust.refuse_jumps(duration)
+        inputs = partial(_inputs, gust, shape)
+        after = integrate_varying(tire, method, times[1:], x0, inputs, p, gust.breaks)
+        u = inputs(times)
+    x = np.concatenate([x0.T[:, :, None], after], axis=2)
+    series = np.concatenate([x, _outputs(tire, x, u, p), np.moveaxis(u, 0, 1)], axis=1)
     values = {
         name: series[:, i].reshape(*shape, times.size)
-        for i, name in enumerate((*names.states, *names.outputs))
+        for i, name in enumerate((*names.states, *names.outputs, *names.inputs))
     }
-    return Trajectory(times, values, aircraft, tire, force)
+    return Trajectory(times, values, aircraft, tire, force, gust)
+
+
+def _inputs(gust: Gust, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
+    """Forces of a gust on runs of some shape, one row each, shape (1, runs, times)."""
+    return np.broadcast_to(gust(t), (*shape, t.size)).reshape(1, -1, t.size)
+
+
+def _outputs(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
+    """Outputs over time, shape (runs, outputs, samples)."""
+    samples = x.shape[2]
+    rows = [
+        columns(f"{tire}_outputs", x[k], u[:, k], np.repeat(p[:, k, None], samples, axis=1))
+        for k in range(len(x))
+    ]
+    return np.stack([y[:, :, 0].T for (y,) in rows])
 
 
 def _initial_state(initial: Mapping[str, Any], states: tuple[str, ...]) -> dict[str, FloatArray]:
@@ -159,15 +182,3 @@ def _initial_state(initial: Mapping[str, Any], states: tuple[str, ...]) -> dict[
         if name not in allowed:
             raise unknown("argument", name, [*allowed, "speed", "disturbance"], "simulate")
     return {key: finite(key, initial.get(key, 0.0)) for key in allowed}
-
-
-def _advance(F: Any, x0: FloatArray, u: FloatArray, p: FloatArray, which: str) -> FloatArray:
-    try:
-        x = np.array(F(x0, u, p), dtype=np.float64)
-    except RuntimeError as problem:
-        raise GroundloopError(
-            f"{which}: the integration failed; the motion grows without bound"
-        ) from problem
-    if not np.isfinite(x).all():
-        raise GroundloopError(f"{which}: the motion grows beyond what a number can hold")
-    return x

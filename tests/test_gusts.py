@@ -1,0 +1,208 @@
+"""Disturbances that vary over time."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from oracles import Array, right_hand_side
+from scipy.integrate import solve_ivp
+
+import groundloop as gl
+from groundloop import gusts
+from groundloop.integration import integrate_varying
+
+T = np.linspace(0.0, 4.0, 41)
+AIRCRAFT = {
+    "taildragger": {},
+    "ground loop": {"a": 0.9, "Ct": 0.0},
+    "tricycle": {"a": -0.5, "Ct": 0.0},
+}
+GUSTS = {
+    "1-cosine": gusts.one_minus_cosine(peak=900.0, start=0.53, length=0.31),
+    "step": gusts.step(300.0, start=0.517, end=1.9),
+    "sampled": gusts.sampled([0.2, 0.33, 0.9, 2.0], [0.0, 700.0, -500.0, 100.0]),
+    "held": gusts.sampled([0.2, 0.33, 0.9, 2.0], [0.0, 700.0, -500.0, 100.0], hold=True),
+    "sum": gusts.step(200.0, 1.0) + gusts.one_minus_cosine(-600.0, 1.2, 1.1),
+    "smooth": gusts.of_time(lambda t: 400 * np.sin(9 * t) * np.exp(-t)),
+}
+
+
+@pytest.fixture(scope="module")
+def plane() -> gl.Aircraft:
+    return gl.Aircraft.load("brott-physical")
+
+
+def oracle(plane: gl.Aircraft, tire: str, gust: gusts.Gust, x0: Array) -> Array:
+    """States by SciPy with the input as it is, piece by piece between its breaks."""
+    f, p = right_hand_side(tire), plane.parameters(tire)
+    ends = [0.0, *(b for b in gust.breaks if 0 < b < T[-1]), T[-1]]
+    states, x = np.empty((x0.size, T.size)), x0
+    for begin, end in pairwise(ends):
+        here = (begin <= T) & (end >= T)
+
+        def rate(t: float, x: Array, begin: float = begin, end: float = end) -> Array:
+            inside = np.clip(t, np.nextafter(begin, end), np.nextafter(end, begin))
+            return f(x, np.array([float(gust(inside))]), p)
+
+        solution = solve_ivp(
+            rate, (begin, end), x, "DOP853", np.union1d(T[here], [end]), rtol=1e-13, atol=1e-15
+        )
+        states[:, here], x = solution.y[:, : here.sum()], solution.y[:, -1]
+    return states
+
+
+def error(found: Array, exact: Array) -> float:
+    """Largest error of a state, relative to its largest magnitude."""
+    return float((np.abs(found - exact).max(axis=1) / np.abs(exact).max(axis=1)).max())
+
+
+@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
+@pytest.mark.parametrize("kind", AIRCRAFT)
+@pytest.mark.parametrize("name", GUSTS)
+def test_a_gust_is_integrated_as_well_as_a_constant(
+    plane: gl.Aircraft, tire: str, kind: str, name: str
+) -> None:
+    pushed = plane.replace(**AIRCRAFT[kind])
+    run = gl.simulate(pushed, tire, disturbance=GUSTS[name], v0=0.05, t=T[-1], samples=T.size)
+    x0 = np.array([0.05, 0, 0, 0, 0, 0, 0])
+    exact = oracle(pushed, tire, GUSTS[name], x0)
+    found = np.array([run[s] for s in ("v", "r", "y", "theta", "X", "Y", "psi")])
+    assert error(found, exact) < 1e-9
+    assert run["disturbance"] == pytest.approx(GUSTS[name](T), abs=0)
+    assert run["a_y"] == pytest.approx(run["sum_F"] / plane["m"], rel=1e-12)
+
+
+def test_steps_are_of_fourth_order(plane: gl.Aircraft) -> None:
+    """With the halving of steps switched off, by way of rk4 on a grid finer than its own."""
+    gust, x0 = GUSTS["smooth"], np.array([0.05, 0, 0, 0, 0, 0, 0])
+    p = plane.parameters("nonlinear")[:, None]
+    exact = oracle(plane, "nonlinear", gust, x0)[:, -1]
+    errors = []
+    for steps in (400, 800):
+        t = np.linspace(0.0, T[-1], steps + 1)[1:]
+        x = integrate_varying("nonlinear", "rk4", t, x0[:, None], lambda t: gust(t)[None, None], p)
+        errors.append(np.abs(x[0, :, -1] - exact).max())
+    assert 12 < errors[0] / errors[1] < 20
+
+
+def test_a_jump_that_is_not_declared_is_noticed(plane: gl.Aircraft) -> None:
+    def jump(t: Array) -> Array:
+        return 500.0 * (t > 0.123456)
+
+    for samples in (3, 11, 501):
+        with pytest.raises(gl.GroundloopError, match=r"function jump jumps near t = 0.123.*breaks"):
+            gl.simulate(plane, disturbance=jump, t=1.0, samples=samples)
+    declared = gl.simulate(plane, disturbance=gusts.of_time(jump, [0.123456]), t=1.0, samples=3)
+    step = gl.simulate(plane, disturbance=gusts.step(500.0, 0.123456), t=1.0, samples=3)
+    assert declared["v"] == pytest.approx(step["v"], rel=1e-12)
+
+
+@pytest.mark.parametrize(("power", "word"), [(0, "jumps"), (1, "has a kink"), (2, "curvature")])
+@pytest.mark.parametrize("at", [0.303, 0.123456, 0.98765])
+def test_what_is_not_smooth_is_noticed(
+    plane: gl.Aircraft, power: int, word: str, at: float
+) -> None:
+    def force(t: Array) -> Array:
+        return 100 * np.sin(5 * t) + 9e3 * np.where(t > at, (t - at) ** power, 0.0)
+
+    with pytest.raises(
+        gl.GroundloopError, match=rf"function force .*{word} near t = {str(at)[:4]}"
+    ):
+        gl.simulate(plane, disturbance=force, t=1.0, samples=11)
+    gl.simulate(plane, disturbance=gusts.of_time(force, [at]), t=1.0, samples=11)
+
+
+def test_a_force_too_quick_to_be_resolved_is_refused(plane: gl.Aircraft) -> None:
+    gust = gusts.Gust(lambda t: 1e5 * np.sin(4e4 * t))
+    with pytest.raises(gl.GroundloopError, match=r"run 0 of 1: .* varies too quickly"):
+        gl.simulate(plane, disturbance=gust, t=0.1, samples=3)
+
+
+def test_a_function_of_time_that_is_constant_is_a_constant(plane: gl.Aircraft) -> None:
+    by_function = gl.simulate(plane, disturbance=lambda t: np.full(t.shape, 80.0), t=1.0)
+    constant = gl.simulate(plane, disturbance=80.0, t=1.0)
+    assert by_function["Y"] == pytest.approx(constant["Y"], rel=1e-9, abs=1e-12)
+    assert by_function.disturbance == pytest.approx(constant["disturbance"], abs=0)
+    assert constant.disturbance.shape == ()
+
+
+def test_a_run_for_each_of_several_gusts(plane: gl.Aircraft) -> None:
+    peaks = np.array([[100.0], [400.0]])
+    gust = gusts.one_minus_cosine(peaks, start=0.2, length=0.5)
+    run = gl.simulate(plane.replace(a=np.array([-0.5, 0.0, 0.5]), Ct=0.0), disturbance=gust, t=1.0)
+    assert run["v"].shape == run["disturbance"].shape == (2, 3, 501)
+    assert run.disturbance.shape == (2, 1, 501)
+    alone = gusts.one_minus_cosine(400.0, start=0.2, length=0.5)
+    one = gl.simulate(plane.replace(a=0.5, Ct=0.0), disturbance=alone, t=1.0)
+    assert run["Y"][1, 2] == pytest.approx(one["Y"], rel=1e-9, abs=1e-12)
+
+
+def test_outputs_see_the_force_of_their_time(plane: gl.Aircraft) -> None:
+    run = gl.simulate(plane, disturbance=gusts.step(200.0, start=0.5), t=1.0, samples=3)
+    assert run["disturbance"].tolist() == [0.0, 200.0, 200.0]
+    assert run["a_y"][1] == pytest.approx(200.0 / plane["m"], rel=1e-12)
+
+
+def test_shapes_of_the_gusts() -> None:
+    t = np.array([0.9, 1.0, 1.25, 1.5, 2.0, 2.1])
+    cosine = gusts.one_minus_cosine("0.4 kN", start="1000 ms", length=1.0)
+    assert cosine(t) == pytest.approx([0, 0, 200, 400, 0, 0], abs=1e-9)
+    assert cosine.breaks == (1.0, 2.0)
+    assert gusts.step(5.0, 1.0, 2.0)(t).tolist() == [0, 5, 5, 5, 0, 0]
+    lines = gusts.sampled([1.0, 2.0], [[0.0, 10.0], [5.0, 5.0]])
+    assert lines(t)[0] == pytest.approx([0, 0, 2.5, 5, 10, 10])
+    assert lines(t)[1] == pytest.approx(np.full(6, 5.0))
+    assert gusts.sampled([1.0, 2.0], [3.0, 4.0], hold=True)(t).tolist() == [3, 3, 3, 3, 4, 4]
+    both = gusts.step(5.0, 1.0) + gusts.step(-5.0, 2.0)
+    assert both(t).tolist() == gusts.step(5.0, 1.0, 2.0)(t).tolist()
+    assert cosine(1.5) == pytest.approx(400.0)
+    assert repr(cosine) == "Gust(1-cosine gust of 400 N from 1 s over 1 s)"
+
+
+def test_a_wind_is_the_force_it_makes_on_the_tail(plane: gl.Aircraft) -> None:
+    force = gusts.crosswind(plane, "10 kt")
+    p = {s: float(plane[s]) for s in ("rho", "Ap", "CL_gamma", "u")}
+    wind = 10 * 1852 / 3600
+    thin = 0.5 * p["rho"] * p["u"] * p["Ap"] * p["CL_gamma"] * wind
+    assert 0.9 * thin < force <= thin
+    assert gusts.crosswind(plane, np.array([-1.0, 0.0, 1.0])) == pytest.approx(
+        gusts.crosswind(plane, 1.0) * np.array([-1.0, 0.0, 1.0])
+    )
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: gusts.one_minus_cosine(np.nan), "peak must be finite"),
+        (lambda: gusts.one_minus_cosine(1.0, length=0.0), "length must be positive"),
+        (lambda: gusts.one_minus_cosine("3 m"), "peak: 'm' does not measure what N measures"),
+        (lambda: gusts.step(1.0, 2.0, 1.0), "end must come after start, not 1.0 after 2.0"),
+        (lambda: gusts.sampled([0.0, 0.0], [1.0, 2.0]), "increasing times"),
+        (lambda: gusts.sampled([0.0, 1.0], [1.0, 2.0, 3.0]), "one sample for each of 2 times"),
+    ],
+)
+def test_bad_gusts_are_named(make: object, message: str) -> None:
+    with pytest.raises(gl.GroundloopError, match=message):
+        make()  # type: ignore[operator]
+
+
+@pytest.mark.parametrize(
+    ("force", "message"),
+    [
+        (math.sin, "function sin must take an array of times.*numpy.vectorize"),
+        (lambda t: t[:1], "one force for each of 501 times"),
+        (lambda t: np.full(t.shape, np.inf), "must be finite"),
+    ],
+)
+def test_bad_functions_of_time_are_named(plane: gl.Aircraft, force: object, message: str) -> None:
+    with pytest.raises(gl.GroundloopError, match=message):
+        gl.simulate(plane, disturbance=force)
+
+
+def test_a_gust_has_no_metrics(plane: gl.Aircraft) -> None:
+    run = gl.simulate(plane, disturbance=gusts.step(10.0), t=0.1, samples=2)
+    with pytest.raises(gl.GroundloopError, match=r"step of 10 N.*read the series"):
+        run.metrics()
