@@ -227,6 +227,12 @@ def figures() -> Mapping[str, FigureSpec]:
     return found
 
 
+@cache
+def figure_words(kind: str) -> Mapping[str, str]:
+    """What legends call things: ``"labels"``, ``"models"`` or ``"sets"``."""
+    return dict(_toml("figures")[kind])
+
+
 def changes(given: Mapping[str, Any]) -> dict[str, Any]:
     """Changes to an aircraft as `Aircraft.replace` takes them."""
     return {name: None if value == _FOLLOWS else value for name, value in given.items()}

@@ -1,0 +1,156 @@
+"""One style for every picture: readable in colour, without it, and on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
+from typing import TYPE_CHECKING, Any, cast
+
+import matplotlib as mpl
+import numpy as np
+from cycler import cycler
+
+from .errors import GroundloopError
+from .generated.names import QUANTITIES
+from .names import symbol
+from .units import from_si
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from .arrays import FloatArray
+    from .simulation import Trajectory
+
+#: Distinct to colour-blind eyes (Okabe and Ito), ordered so that neighbours differ in grey too.
+COLOURS = ("#0072B2", "#D55E00", "#56B4E9", "#111111", "#009E73", "#CC79A7")
+#: Solid, dashed, dash-dot, dotted; with the colours they tell lines apart in grey.
+DASHES = ("-", (0, (5, 2)), (0, (6, 2, 1.2, 2)), (0, (1.2, 1.6)))
+INK, MUTED, GRID = "#222222", "#666666", "#DDDDDD"
+
+#: What people read instead of the SI unit.
+SHOWN_UNITS = {"rad": "deg", "rad/s": "deg/s"}
+
+#: More runs than this get no legend.
+_MOST_LABELS = 6
+
+_STYLE: Any = {
+    "axes.axisbelow": True,
+    "axes.edgecolor": MUTED,
+    "axes.grid": True,
+    "axes.labelcolor": INK,
+    "axes.labelsize": 9,
+    "axes.linewidth": 0.8,
+    "axes.prop_cycle": cycler(color=COLOURS),
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 9,
+    "figure.constrained_layout.use": True,
+    "figure.dpi": 100,
+    "font.family": ["DejaVu Sans"],
+    "font.size": 9,
+    "grid.color": GRID,
+    "grid.linewidth": 0.6,
+    "legend.fontsize": 8,
+    "legend.frameon": False,
+    "legend.handlelength": 2.6,
+    "lines.linewidth": 1.6,
+    "lines.markersize": 4.5,
+    "mathtext.fontset": "dejavusans",
+    "svg.fonttype": "path",
+    "text.color": INK,
+    "xtick.color": MUTED,
+    "xtick.labelcolor": INK,
+    "xtick.labelsize": 8,
+    "ytick.color": MUTED,
+    "ytick.labelcolor": INK,
+    "ytick.labelsize": 8,
+}
+
+
+def style() -> AbstractContextManager[None]:
+    """The style as a context: ``with style(): ...``."""
+    return mpl.rc_context(_STYLE)
+
+
+def in_shown_unit(name: str, values: FloatArray) -> FloatArray:
+    """Values of a quantity in the unit that people read."""
+    unit = QUANTITIES[name].unit
+    return values * from_si(1.0, unit, SHOWN_UNITS[unit]) if unit in SHOWN_UNITS else values
+
+
+def axis_label(name: str) -> str:
+    """Name, symbol and shown unit of a quantity."""
+    q = QUANTITIES[name]
+    unit = SHOWN_UNITS.get(q.unit, q.unit).replace("^2", "²")
+    words = q.name.replace("_", " ")
+    return f"{words} ${q.latex}$" + (f" ({unit})" if unit != "1" else "")
+
+
+def time_history(
+    run: Trajectory,
+    names: Sequence[str] = ("y", "theta"),
+    ax: Axes | Sequence[Axes] | None = None,
+) -> Figure:
+    """Plot states or outputs of a run over time.
+
+    Parameters
+    ----------
+    run : Trajectory
+        One run or several.
+    names : sequence of str
+        What to plot, by symbol or full name; one below the other. Angles are in degrees.
+    ax : Axes or sequence of Axes, optional
+        Where: one for each name. A new figure if omitted.
+
+    Returns
+    -------
+    Figure
+        The figure that was drawn on.
+
+    Raises
+    ------
+    GroundloopError
+        For an unknown name, no name, or another number of axes than of names.
+    """
+    wanted = [names] if isinstance(names, str) else list(names)
+    symbols = [symbol(n, "state or output", tuple(run.values), "this run") for n in wanted]
+    if not symbols:
+        raise GroundloopError("nothing to plot: names is empty")
+    with style():
+        axes = _axes(ax, len(symbols))
+        for axis, name in zip(axes, symbols, strict=True):
+            _draw_over_time(axis, run, name)
+        axes[-1].set_xlabel("time (s)")
+        if 1 < run["v"].reshape(-1, run.t.size).shape[0] <= _MOST_LABELS:
+            axes[0].legend()
+    return cast("Figure", cast(Any, axes[0].figure).figure)  # of a subfigure, the whole
+
+
+def _axes(ax: Axes | Sequence[Axes] | None, count: int) -> list[Axes]:
+    if ax is None:
+        from matplotlib import pyplot
+
+        _, made = pyplot.subplots(count, 1, sharex=True, squeeze=False, figsize=(6, 1 + 2 * count))
+        return list(made[:, 0])
+    given = list(np.atleast_1d(np.asarray(ax, dtype=object)))
+    if len(given) != count:
+        raise GroundloopError(f"there are {count} names to plot but {len(given)} axes")
+    return given
+
+
+def _draw_over_time(axis: Axes, run: Trajectory, name: str) -> None:
+    values = in_shown_unit(name, run[name])
+    lines = values.reshape(-1, run.t.size)
+    for k, line in enumerate(lines):
+        index = ", ".join(map(str, np.unravel_index(k, values.shape[:-1])))
+        axis.plot(
+            run.t,
+            line,
+            color=COLOURS[k % len(COLOURS)],
+            linestyle=DASHES[k % len(DASHES)],
+            label=f"run {index}",
+        )
+    axis.set_xlim(run.t[0], run.t[-1])
+    axis.set_ylabel(axis_label(name))
