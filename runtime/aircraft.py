@@ -2,46 +2,74 @@
 
 from __future__ import annotations
 
-import difflib
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as _replace
 from functools import cache, cached_property
-from importlib import resources
 from pathlib import Path
+from textwrap import shorten
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from .arrays import FloatArray, broadcast, physical
-from .errors import GroundloopError, unknown
+from .errors import GroundloopError
 from .evaluate import elementwise
 from .generated import build
 from .generated.names import FUNCTIONS, MODELS, QUANTITIES
 from .names import signature, symbol
 from .units import to_si
 
-_FOLLOWS = {name.removesuffix("_follows") for name in FUNCTIONS if name.endswith("_follows")}
+#: What nothing follows from, but limits of the CG and of the gear are set by.
+_APART = ("x_forward", "x_aft", "h_cg", "x_nose", "u_lift")
+#: What follows from others where it is not given.
+FOLLOWS = frozenset(
+    name.removesuffix("_follows") for name in FUNCTIONS if name.endswith("_follows")
+)
 
 
 @cache
-def _parameter_symbols() -> tuple[str, ...]:
-    """What an aircraft may be given: parameters of the models and of what follows."""
+def parameter_symbols() -> tuple[str, ...]:
+    """What an aircraft may be given: parameters of the models, of what follows, and limits."""
     wanted = [p for model in MODELS.values() for p in model.parameters]
-    for name in sorted(_FOLLOWS):
+    for name in sorted(FOLLOWS):
         wanted += [name, *build(f"{name}_follows").name_in()]
-    present = {*wanted, "x_forward", "x_aft"}
+    present = {*wanted, *_APART}
     return tuple(s for s in QUANTITIES if s in present)
+
+
+class NotGivenError(GroundloopError):
+    """A parameter that is neither given nor follows.
+
+    Attributes
+    ----------
+    symbol : str
+        The parameter that is missing, from which the one asked for would follow.
+    """
+
+    def __init__(self, message: str, symbol: str) -> None:
+        super().__init__(message)
+        self.symbol = symbol
 
 
 @dataclass(frozen=True)
 class Source:
-    """Where a number comes from, and whether it is only an estimate."""
+    """Where a number comes from.
+
+    Attributes
+    ----------
+    text : str
+        The document, and where in it.
+    estimate : bool
+        Whether the number is only an estimate.
+    entry : str
+        The number as it was written, with its unit.
+    """
 
     text: str = ""
     estimate: bool = False
+    entry: str = ""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -60,6 +88,8 @@ class Aircraft:
         Values by symbol, SI units with radians.
     sources : mapping of str to Source
         Where each given value comes from.
+    source : str
+        The document that most of them come from.
     """
 
     name: str
@@ -67,9 +97,10 @@ class Aircraft:
     title: str = ""
     description: str = ""
     sources: Mapping[str, Source] = field(default_factory=dict)
+    source: str = ""
 
     def __post_init__(self) -> None:
-        values = {s: physical(s, value) for s, value in self.given.items()}
+        values = {s: physical(s, value).copy() for s, value in self.given.items()}
         for array in values.values():
             array.setflags(write=False)
         broadcast(values)
@@ -83,29 +114,17 @@ class Aircraft:
         ----------
         name : str or Path
             ``"brott"`` (reproduces the thesis), ``"brott-physical"`` (the same aircraft with
-            the right constants and loads), or the path of a TOML file.
+            the right constants and loads), another of `packaged`, or the path of a TOML file.
 
         Raises
         ------
         GroundloopError
             If there is no such aircraft or file, or if the file has mistakes: all of them are
-            listed, each with its key.
+            listed, each with its line and key, what was found and what was expected.
         """
-        path = Path(name)
-        if path.suffix != ".toml":
-            packaged = {p.name.removesuffix(".toml"): p for p in _packaged()}
-            if str(name) not in packaged:
-                raise unknown(
-                    "aircraft", str(name), packaged, "the packaged ones (a file ends in .toml)"
-                )
-            path = Path(str(packaged[str(name)]))
-        try:
-            data = tomllib.loads(path.read_text(encoding="utf-8"))
-        except OSError as problem:
-            raise GroundloopError(f"cannot read {path}: {problem.strerror}") from problem
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
-            raise GroundloopError(f"{path} is not valid TOML: {problem}") from problem
-        return _from_data(data, path)
+        from .aircraft_file import load
+
+        return load(name)
 
     def replace(self, **changes: Any) -> Aircraft:
         """A copy with some parameters changed.
@@ -124,12 +143,12 @@ class Aircraft:
         given = dict(self.given)
         sources = dict(self.sources)
         for name, value in changes.items():
-            key = symbol(name, "parameter", _parameter_symbols(), "Aircraft.replace")
+            key = symbol(name, "parameter", parameter_symbols(), "Aircraft.replace")
             sources.pop(key, None)
             if value is None:
                 given.pop(key, None)
             else:
-                given[key] = _value(value, key, name)
+                given[key] = in_si(value, key, name)
         return _replace(self, given=given, sources=sources)
 
     def __getitem__(self, name: str) -> FloatArray:
@@ -141,7 +160,7 @@ class Aircraft:
             If the name is unknown, or the value is neither given nor follows.
         """
         return self._resolve(
-            symbol(name, "parameter", _parameter_symbols(), f"aircraft {self.name}")
+            symbol(name, "parameter", parameter_symbols(), f"aircraft {self.name}")
         )
 
     def __contains__(self, name: object) -> bool:
@@ -207,93 +226,43 @@ class Aircraft:
 
     def _follow(self, key: str) -> FloatArray:
         label = f"{QUANTITIES[key].name} ({key})"
-        if key not in _FOLLOWS:
-            raise GroundloopError(f"aircraft {self.name}: {label} is not given")
+        if key not in FOLLOWS:
+            raise NotGivenError(f"aircraft {self.name}: {label} is not given", key)
         needed = build(f"{key}_follows").name_in()
         try:
             arguments = {s: self._resolve(s) for s in needed}
-        except GroundloopError as problem:
-            raise GroundloopError(f"{problem}, and {label} follows from it") from None
+        except NotGivenError as problem:
+            message = f"{problem}, and {label} follows from it"
+            raise NotGivenError(message, problem.symbol) from None
         return physical(key, elementwise(f"{key}_follows", arguments)[key])
 
     def __iter__(self) -> Iterator[str]:
         """Symbols of the parameters that have a value."""
-        return (s for s in _parameter_symbols() if s in self)
+        return (s for s in parameter_symbols() if s in self)
 
     def __repr__(self) -> str:
         lines = [f"Aircraft {self.name!r}: {self.title}"]
         for s in self:
             q = QUANTITIES[s]
-            origin = self.sources.get(s, Source()).text if s in self.given else "follows"
+            source = self.sources.get(s, Source())
+            mark = "estimate: " if source.estimate else ""
+            origin = shorten(mark + source.text, 60) if s in self.given else "follows"
             lines.append(
                 f"  {s:<12}{_short(self[s]):>14} {q.unit:<12} {q.name:<32} {origin}".rstrip()
             )
         return "\n".join(lines)
 
 
+def in_si(value: Any, key: str, where: str) -> Any:
+    """A value of the quantity `key` in its SI unit; only a string can have another."""
+    return to_si(value, QUANTITIES[key].unit, where) if isinstance(value, str) else value
+
+
 def packaged() -> tuple[str, ...]:
     """Names of the aircraft that come with the package."""
-    return tuple(sorted(p.name.removesuffix(".toml") for p in _packaged()))
+    from .aircraft_file import packaged_files
 
-
-def _packaged() -> list[Any]:
-    folder = resources.files("groundloop") / "fleet"
-    return [p for p in folder.iterdir() if p.name.endswith(".toml")]
-
-
-_ABOUT = ("title", "description", "source")
-
-
-def _from_data(data: Mapping[str, Any], path: Path) -> Aircraft:
-    """An aircraft from the tables of a file, or one error that lists every mistake."""
-    given: dict[str, Any] = {}
-    sources: dict[str, Source] = {}
-    mistakes: list[str] = []
-    for key, entry in _leaves(data):
-        where = f"{path.name}: {key}"
-        try:
-            name = symbol(key.rpartition(".")[2], "key", _parameter_symbols(), where)
-            value, source = _entry(entry, where)
-            if name in given:
-                raise GroundloopError(f"{where} is given twice")
-            given[name] = physical(name, _value(value, name, where))
-            sources[name] = source
-        except GroundloopError as problem:
-            mistakes.append(str(problem))
-    if mistakes:
-        raise GroundloopError("\n".join([f"{path} has {len(mistakes)} mistake(s):", *mistakes]))
-    return Aircraft(
-        name=path.stem,
-        given=given,
-        title=str(data.get("title", path.stem)),
-        description=str(data.get("description", "")).strip(),
-        sources=sources,
-    )
-
-
-def _leaves(data: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
-    for key, entry in data.items():
-        if not prefix and key in _ABOUT:
-            continue
-        if isinstance(entry, Mapping) and "value" not in entry:
-            yield from _leaves(entry, f"{prefix}{key}.")
-        else:
-            yield f"{prefix}{key}", entry
-
-
-def _entry(entry: Any, where: str) -> tuple[Any, Source]:
-    if not isinstance(entry, Mapping):
-        return entry, Source()
-    fields = ("value", "source", "estimate")
-    for name in entry:
-        if name not in fields:
-            near = difflib.get_close_matches(name, fields, n=1) or fields
-            raise GroundloopError(f"{where}: unknown field {name!r}; there is {', '.join(near)}")
-    return entry["value"], Source(str(entry.get("source", "")), bool(entry.get("estimate", False)))
-
-
-def _value(value: Any, key: str, where: str) -> Any:
-    return to_si(value, QUANTITIES[key].unit, where) if isinstance(value, str) else value
+    return tuple(sorted(packaged_files()))
 
 
 def _short(value: FloatArray) -> str:

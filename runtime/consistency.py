@@ -1,0 +1,152 @@
+"""Whether the data of an aircraft agree with each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from .aircraft import FOLLOWS, Aircraft, NotGivenError, parameter_symbols
+from .arrays import FloatArray
+from .errors import GroundloopError
+from .generated import build
+from .generated.names import QUANTITIES
+
+#: How far a given length may be from the one that follows from the other data, m: what a tape
+#: measure and the rounding of a weight-and-balance sheet leave.
+_LENGTHS = {"a": 0.01, "b": 0.01, "L": 0.01}
+
+#: The same for wheel loads, relative: what a set of scales leaves.
+_LOADS = {"Fz": 0.02, "F_tail_load": 0.02}
+
+
+@dataclass(frozen=True)
+class Contradiction:
+    """Something that cannot be, given the rest.
+
+    Attributes
+    ----------
+    symbol : str
+        The parameter to look at first.
+    found, expected : str
+        In words.
+    """
+
+    symbol: str
+    found: str
+    expected: str
+
+    def __str__(self) -> str:
+        name = QUANTITIES[self.symbol].name
+        return f"{name} ({self.symbol}): found {self.found}; expected {self.expected}"
+
+
+def contradictions(plane: Aircraft) -> tuple[Contradiction, ...]:
+    """What does not agree in the data of an aircraft.
+
+    Lengths given twice (a + b and L, arms and stations), a CG outside its limits, weight
+    fractions and wheel loads that do not add up, and anything that follows but cannot be. A
+    stiffness or weight fraction that is given although it would follow overrides it: that is a
+    choice, and no contradiction.
+
+    Parameters
+    ----------
+    plane : Aircraft
+        The aircraft; of an array any element counts.
+    """
+    found = (*_lengths(plane), *_cg_limits(plane), *_fraction(plane), *_loads(plane))
+    return found or tuple(_impossible(plane))
+
+
+def following(plane: Aircraft, key: str) -> FloatArray | None:
+    """What a parameter would be if it were not given; None if it would not follow."""
+    try:
+        return plane.replace(**{key: None})[key]
+    except GroundloopError:
+        return None
+
+
+def words(plane: Aircraft, key: str) -> str:
+    """A given value as it was written, or any value in its SI unit."""
+    entry = plane.sources[key].entry if key in plane.sources else ""
+    return entry or in_words(key, plane[key])
+
+
+def in_words(key: str, value: FloatArray) -> str:
+    """A value, or the first of an array, in its SI unit."""
+    unit = QUANTITIES[key].unit
+    return f"{np.ravel(value)[0]:.5g}{'' if unit == '1' else f' {unit}'}"
+
+
+def _lengths(plane: Aircraft) -> Iterator[Contradiction]:
+    for key, tolerance in _LENGTHS.items():
+        yield from _disagreement(plane, key, tolerance)
+
+
+def _loads(plane: Aircraft) -> Iterator[Contradiction]:
+    for key, tolerance in _LOADS.items():
+        if key == "F_tail_load" and _is_tricycle(plane):
+            continue  # what the main gear leaves is on the nose wheel
+        if key in plane.given:
+            yield from _disagreement(plane, key, tolerance * float(plane[key].max()))
+
+
+def _disagreement(plane: Aircraft, key: str, tolerance: float) -> Iterator[Contradiction]:
+    other = following(plane, key) if key in plane.given else None
+    if other is not None and (np.abs(plane[key] - other) > tolerance).any():
+        sources = " and ".join(QUANTITIES[s].name for s in build(f"{key}_follows").name_in())
+        yield Contradiction(
+            key, words(plane, key), f"{in_words(key, other)}, which follows from {sources}"
+        )
+
+
+def _cg_limits(plane: Aircraft) -> Iterator[Contradiction]:
+    if "x_forward" in plane and "x_aft" in plane:
+        forward, aft = plane["x_forward"], plane["x_aft"]
+        if (forward > aft).any():
+            yield Contradiction(
+                "x_forward",
+                words(plane, "x_forward"),
+                f"at most cg_aft_limit, {words(plane, 'x_aft')}: stations count aft",
+            )
+            return
+    if "x_cg" not in plane:
+        return
+    bounds = (("x_forward", np.less, "at least"), ("x_aft", np.greater, "at most"))
+    for limit, beyond, at in bounds:
+        if limit in plane and beyond(plane["x_cg"], plane[limit]).any():
+            yield Contradiction(
+                "x_cg",
+                words(plane, "x_cg"),
+                f"{at} {QUANTITIES[limit].name}, {words(plane, limit)}",
+            )
+
+
+def _fraction(plane: Aircraft) -> Iterator[Contradiction]:
+    if "f" in plane.given:
+        if ((plane["f"] < 0) | (plane["f"] > 1)).any():
+            yield Contradiction("f", words(plane, "f"), "a fraction from 0 to 1")
+    elif _is_tricycle(plane) and "f" in plane:
+        yield Contradiction(
+            "f",
+            "nothing",
+            "a fraction from 0 to 1: the main gear is behind the CG, so that a nose wheel carries"
+            " the rest",
+        )
+
+
+def _is_tricycle(plane: Aircraft) -> bool:
+    return "a" in plane and bool((plane["a"] < 0).any())
+
+
+def _impossible(plane: Aircraft) -> Iterator[Contradiction]:
+    """What follows and cannot be, such as a tail ahead of the CG."""
+    for key in filter(FOLLOWS.__contains__, parameter_symbols()):
+        try:
+            plane[key]
+        except NotGivenError:
+            continue
+        except GroundloopError as problem:
+            yield Contradiction(key, f"that {problem}", "data from which a possible value follows")
+            return
