@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from math import degrees
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -50,14 +50,28 @@ BROTT = {
     "E1": 1.0637,
 }
 
-#: Tables 4.4, 4.6 and 4.8: what a trial changes in `BROTT`, and the eigenvalues printed for it.
-TRIALS: dict[int, tuple[dict[str, float], tuple[complex, complex]]] = {
-    3: ({"a": 0.5, "Ap": 0.0, "Ct": 0.0}, (-5.37, 2.677)),  # "2.67" is cut, not rounded
-    5: ({"a": -0.5, "b": 3.92176, "Ct": 0.0}, (-1.6868 + 4.0996j, -1.6868 - 4.0996j)),
-    9: ({"a": 0.0, "b": 3.92176, "Ct": 0.0}, (-1.5574 + 1.7867j, -1.5574 - 1.7867j)),
-    15: ({"a": 0.5, "b": 3.84048, "Ct": 0.0}, (-5.0403, 1.6909)),
-    17: ({"Ct": 145.0 * PER_DEGREE}, (-3.24 + 1.98j, -3.24 - 1.98j)),
-    19: ({}, (-4.84, -0.118)),
+
+class Trial(NamedTuple):
+    """A trial of the thesis: what it changes in `BROTT`, and the eigenvalues printed for it."""
+
+    changes: dict[str, float]
+    eigenvalues: tuple[complex, complex]
+    last_digits: tuple[float, float]
+
+
+#: Tables 4.4, 4.6 (in which the last digit is not to be trusted) and 4.8.
+TRIALS = {
+    # printed 2.67, which is cut, not rounded
+    3: Trial({"a": 0.5, "Ap": 0.0, "Ct": 0.0}, (-5.37, 2.677), (0.01, 0.001)),
+    5: Trial(
+        {"a": -0.5, "b": 3.92176, "Ct": 0.0}, (-1.6868 - 4.0996j, -1.6868 + 4.0996j), (2e-4, 2e-4)
+    ),
+    9: Trial(
+        {"a": 0.0, "b": 3.92176, "Ct": 0.0}, (-1.5574 - 1.7867j, -1.5574 + 1.7867j), (2e-4, 2e-4)
+    ),
+    15: Trial({"a": 0.5, "b": 3.84048, "Ct": 0.0}, (-5.0403, 1.6909), (2e-4, 2e-4)),
+    17: Trial({"Ct": 145.0 * PER_DEGREE}, (-3.24 - 1.98j, -3.24 + 1.98j), (0.01, 0.01)),
+    19: Trial({}, (-4.84, -0.118), (0.01, 0.001)),
 }
 
 #: From where random values are drawn, by symbol; anything else is drawn from `_ELSE`.

@@ -56,8 +56,8 @@ def test_rk45_of_a_random_aircraft_is_right_to_1e_8(model: str, data: st.DataObj
 @cases
 @pytest.mark.parametrize("trial", TRIALS)
 def test_rk45_follows_a_trial_of_the_thesis_over_any_grid(trial: int, model: str):
-    changes, _ = TRIALS[trial]
-    F, start, p = load(f"{model}_rk45"), state(v=0.1), parameters(model, **changes)
+    p = parameters(model, **TRIALS[trial].changes)
+    F, start = load(f"{model}_rk45"), state(v=0.1)
     times = np.array([0.0, 0.1, 0.2, 1.7, 3.0])
     expected = reference(model, (start, NO_INPUT, p), times)
     in_one_go = np.array([call(F, start, NO_INPUT, p, t) for t in times]).T
@@ -133,5 +133,5 @@ def test_rk45_says_so_when_it_cannot_integrate(model: str):
 @pytest.mark.xfail(strict=True, raises=RuntimeError, reason="10000 steps are not enough")
 def test_rk45_follows_an_aircraft_that_spins():
     """Trial 3 after 5 s, as in Fig. 4.7: the linear model has turned 250 times by then."""
-    changes, _ = TRIALS[3]
-    call(load("linear_rk45"), state(v=0.1), NO_INPUT, parameters("linear", **changes), 5.0)
+    p = parameters("linear", **TRIALS[3].changes)
+    call(load("linear_rk45"), state(v=0.1), NO_INPUT, p, 5.0)
