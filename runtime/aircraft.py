@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as _replace
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from pathlib import Path
 from textwrap import shorten
 from types import MappingProxyType
@@ -101,10 +101,17 @@ class Aircraft:
 
     def __post_init__(self) -> None:
         values = {s: physical(s, value).copy() for s, value in self.given.items()}
-        for array in values.values():
+        for key, array in values.items():
             array.setflags(write=False)
+            if array.size == 0:
+                raise GroundloopError(f"{_label(key)} must have a value, but it is an empty array")
         broadcast(values)
         object.__setattr__(self, "given", MappingProxyType(values))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        fields = {**vars(self), "given": dict(self.given), "sources": dict(self.sources)}
+        fields.pop("_known", None)
+        return partial(Aircraft, **fields), ()
 
     @classmethod
     def load(cls, name: str | Path) -> Aircraft:
@@ -142,8 +149,14 @@ class Aircraft:
         """
         given = dict(self.given)
         sources = dict(self.sources)
+        changed: dict[str, str] = {}
         for name, value in changes.items():
             key = symbol(name, "parameter", parameter_symbols(), "Aircraft.replace")
+            if key in changed:
+                raise GroundloopError(
+                    f"{changed[key]} and {name} are the same parameter; give one of them"
+                )
+            changed[key] = name
             sources.pop(key, None)
             if value is None:
                 given.pop(key, None)
@@ -225,7 +238,7 @@ class Aircraft:
         return self._known[key]
 
     def _follow(self, key: str) -> FloatArray:
-        label = f"{QUANTITIES[key].name} ({key})"
+        label = _label(key)
         if key not in FOLLOWS:
             raise NotGivenError(f"aircraft {self.name}: {label} is not given", key)
         needed = build(f"{key}_follows").name_in()
@@ -263,6 +276,10 @@ def packaged() -> tuple[str, ...]:
     from .aircraft_file import packaged_files
 
     return tuple(sorted(packaged_files()))
+
+
+def _label(key: str) -> str:
+    return f"{QUANTITIES[key].name} ({key})"
 
 
 def _short(value: FloatArray) -> str:

@@ -26,6 +26,8 @@ def finite(name: str, value: Any) -> FloatArray:
     """
     try:
         array = np.asarray(value, dtype=np.float64)
+        if np.asarray(value).dtype == np.bool_:
+            raise TypeError("a truth value is no number")
     except (TypeError, ValueError) as problem:
         raise GroundloopError(
             f"{name} must be a number or an array of numbers, not {value!r}"
