@@ -14,7 +14,11 @@ from .equation import Chain, Equation
 from .jacobian import tangents
 from .model import Model
 from .newton import r_dot, sum_F, sum_M, v_dot
-from .quantities import r, v
+from .quantities import Quantity, a, b, r, v
+
+gear_moment = Quantity(
+    "M_gear", "gear_moment", "N m", "moment of the main gear about the tail", r"M_{\mathrm{gear}}"
+)
 
 
 def equilibrium(model: Model) -> Chain:
@@ -36,6 +40,7 @@ def equilibrium(model: Model) -> Chain:
         Equation(r, _yaw_rate(links), "Eq. 4.9 with v_dot = r_dot = 0"),
         Equation(v, lateral[0], links[alpha].source),
         *(links[q] for q in (gamma, F_tail, F_tail_wheel, sum_M)),
+        Equation(gear_moment, F_main * (a + b), "a scale for the sum"),
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from . import closed_forms as closed
 from . import equilibrium, gear_position, margins, worst_speed
 from .casadi_source import FunctionSpec
-from .components import alpha, gamma
+from .components import alpha
 from .equation import Chain, needed
 from .jacobian import derivative
 from .linear import linear
@@ -150,7 +150,8 @@ def _equilibrium_functions() -> tuple[FunctionSpec, ...]:
     functions = []
     for model in (linear(), nonlinear()):
         chain = equilibrium.with_slope(model)
-        results = (sum_M, derivative(sum_M, alpha), v, r, gamma)
+        slopes = (derivative(q, alpha) for q in (sum_M, equilibrium.gear_moment))
+        results = (sum_M, *slopes, v, r)
         name = f"{model.name}_equilibrium"
         summary = "The steady turn at a slip angle: an equilibrium where the moment is zero."
         arguments = (alpha, *model.inputs, *ordered(needed(chain, results)))

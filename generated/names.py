@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 51377ab9e4b2a1a4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 3a7584f5309e9afe) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -25,7 +25,7 @@ class Signature(NamedTuple):
     outputs: tuple[str, ...]
 
 
-DIGEST = "51377ab9e4b2a1a4"
+DIGEST = "3a7584f5309e9afe"
 
 QUANTITIES = {
     q.symbol: q
@@ -142,6 +142,7 @@ QUANTITIES = {
         Quantity("tail_fraction", "tail_load_fraction", "1", "share of the weight on the tail wheel", "\\phi", ""),
         Quantity("a_loaded", "gear_arm_of_load", "m", "gear ahead of the CG at that share", "a_\\phi", ""),
         Quantity("d_sum_M_d_alpha", "d_yaw_moment_d_main_gear_slip_angle", "(N m)/(rad)", "derivative of sum_M by alpha", "\\frac{\\partial \\sum M_z}{\\partial \\alpha}", ""),
+        Quantity("d_M_gear_d_alpha", "d_gear_moment_d_main_gear_slip_angle", "(N m)/(rad)", "derivative of M_gear by alpha", "\\frac{\\partial M_{\\mathrm{gear}}}{\\partial \\alpha}", ""),
     )
 }
 

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 51377ab9e4b2a1a4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 3a7584f5309e9afe) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Closed forms of the linear model (Section 4.7 and what it leaves unsaid)."""
 
 from functools import cache
@@ -820,9 +820,9 @@ def linear_equilibrium() -> ca.Function:
     -------
     sum_M : 1 x 1, sum of the moments about z through the CG [N m]
     d_sum_M_d_alpha : 1 x 1, derivative of sum_M by alpha [(N m)/(rad)]
+    d_M_gear_d_alpha : 1 x 1, derivative of M_gear by alpha [(N m)/(rad)]
     v : 1 x 1, velocity of the CG along the body y axis, to the right [m/s]
     r : 1 x 1, angular velocity about the body z axis, nose right [rad/s]
-    gamma : 1 x 1, angle of incidence of the tail and its wheel [rad]
 
     Thesis
     ------
@@ -842,28 +842,30 @@ def linear_equilibrium() -> ca.Function:
     Ct = ca.SX.sym("Ct")
     F_y = C_alpha*alpha  # Eq. 3.1
     F_main = 2*F_y  # Eq. 4.28
-    w2 = (a + b)/(b*m*u)
-    r = -F_main*w2  # Eq. 4.9 with v_dot = r_dot = 0
+    w3 = 1/(b*m*u)
+    r = -F_main*w3*(a + b)  # Eq. 4.9 with v_dot = r_dot = 0
     v = -a*r + alpha*u  # Eq. 4.24
     gamma = (-b*r + v)/u  # Eq. 4.26
-    w3 = (1/2)*Ap*CL_gamma*rho*u**2
-    F_tail = gamma*w3  # Eq. 4.29
+    w4 = (1/2)*Ap*CL_gamma*rho*u**2
+    F_tail = gamma*w4  # Eq. 4.29
     F_tail_wheel = Ct*gamma  # Eq. 4.30
     sum_M = -F_disturbance*b - F_main*a + F_tail*b + F_tail_wheel*b  # Eq. 4.8
     d_F_y_d_alpha = C_alpha  # chain rule on Eq. 3.1
     d_F_main_d_alpha = 2*d_F_y_d_alpha  # chain rule on Eq. 4.28
-    d_r_d_alpha = -d_F_main_d_alpha*w2  # chain rule on Eq. 4.9 with v_dot = r_dot = 0
+    w5 = d_F_main_d_alpha*(a + b)
+    d_r_d_alpha = -w3*w5  # chain rule on Eq. 4.9 with v_dot = r_dot = 0
     d_v_d_alpha = -a*d_r_d_alpha + u  # chain rule on Eq. 4.24
     d_gamma_d_alpha = -b*d_r_d_alpha/u + d_v_d_alpha/u  # chain rule on Eq. 4.26
-    d_F_tail_d_alpha = d_gamma_d_alpha*w3  # chain rule on Eq. 4.29
+    d_F_tail_d_alpha = d_gamma_d_alpha*w4  # chain rule on Eq. 4.29
     d_F_tail_wheel_d_alpha = Ct*d_gamma_d_alpha  # chain rule on Eq. 4.30
     d_sum_M_d_alpha = -a*d_F_main_d_alpha + b*d_F_tail_d_alpha + b*d_F_tail_wheel_d_alpha  # chain rule on Eq. 4.8
+    d_M_gear_d_alpha = w5  # chain rule on a scale for the sum
     return ca.Function(
         "linear_equilibrium",
         [alpha, F_disturbance, m, a, b, u, rho, Ap, CL_gamma, C_alpha, Ct],
-        [sum_M, d_sum_M_d_alpha, v, r, gamma],
+        [sum_M, d_sum_M_d_alpha, d_M_gear_d_alpha, v, r],
         ["alpha", "F_disturbance", "m", "a", "b", "u", "rho", "Ap", "CL_gamma", "C_alpha", "Ct"],
-        ["sum_M", "d_sum_M_d_alpha", "v", "r", "gamma"],
+        ["sum_M", "d_sum_M_d_alpha", "d_M_gear_d_alpha", "v", "r"],
     )
 
 
@@ -897,9 +899,9 @@ def nonlinear_equilibrium() -> ca.Function:
     -------
     sum_M : 1 x 1, sum of the moments about z through the CG [N m]
     d_sum_M_d_alpha : 1 x 1, derivative of sum_M by alpha [(N m)/(rad)]
+    d_M_gear_d_alpha : 1 x 1, derivative of M_gear by alpha [(N m)/(rad)]
     v : 1 x 1, velocity of the CG along the body y axis, to the right [m/s]
     r : 1 x 1, angular velocity about the body z axis, nose right [rad/s]
-    gamma : 1 x 1, angle of incidence of the tail and its wheel [rad]
 
     Thesis
     ------
@@ -933,33 +935,35 @@ def nonlinear_equilibrium() -> ca.Function:
     F_bar = D1*ca.sin(theta_bar)  # Eq. 3.8
     F_y = F_bar*Fz*mu  # Eq. 3.11
     F_main = 2*F_y  # Eq. 4.38
-    w5 = (a + b)/(b*m*u)
-    r = -F_main*w5  # Eq. 4.9 with v_dot = r_dot = 0
+    w6 = 1/(b*m*u)
+    r = -F_main*w6*(a + b)  # Eq. 4.9 with v_dot = r_dot = 0
     v = -a*r + u*ca.tan(alpha)  # Eq. 4.14
-    w6 = -b*r + v
-    gamma = ca.atan(w6/u)  # Eq. 4.19
-    w8 = (1/2)*Ap*CL_gamma*rho*u**2
-    F_tail = gamma*w8  # Eq. 4.29
+    w7 = -b*r + v
+    gamma = ca.atan(w7/u)  # Eq. 4.19
+    w9 = (1/2)*Ap*CL_gamma*rho*u**2
+    F_tail = gamma*w9  # Eq. 4.29
     F_tail_wheel = Ct*gamma  # Eq. 4.30
     sum_M = -F_disturbance*b - F_main*a + F_tail*b + F_tail_wheel*b  # Eq. 4.8
-    w9 = ca.tan(alpha)**2 + 1
-    d_alpha_bar_d_alpha = C_c*w9/mu  # chain rule on Eq. 3.6
+    w10 = ca.tan(alpha)**2 + 1
+    d_alpha_bar_d_alpha = C_c*w10/mu  # chain rule on Eq. 3.6
     d_psi_bar_d_alpha = d_alpha_bar_d_alpha*(-E1 + E1/(B1**2*alpha_bar**2 + 1) + 1)  # chain rule on Eq. 3.10
     d_theta_bar_d_alpha = B1*C1*d_psi_bar_d_alpha/(B1**2*psi_bar**2 + 1)  # chain rule on Eq. 3.9
     d_F_bar_d_alpha = D1*d_theta_bar_d_alpha*ca.cos(theta_bar)  # chain rule on Eq. 3.8
     d_F_y_d_alpha = Fz*d_F_bar_d_alpha*mu  # chain rule on Eq. 3.11
     d_F_main_d_alpha = 2*d_F_y_d_alpha  # chain rule on Eq. 4.38
-    d_r_d_alpha = -d_F_main_d_alpha*w5  # chain rule on Eq. 4.9 with v_dot = r_dot = 0
-    d_v_d_alpha = -a*d_r_d_alpha + u*w9  # chain rule on Eq. 4.14
-    w11 = 1/(1 + w6**2/u**2)
-    d_gamma_d_alpha = -b*d_r_d_alpha*w11/u + d_v_d_alpha*w11/u  # chain rule on Eq. 4.19
-    d_F_tail_d_alpha = d_gamma_d_alpha*w8  # chain rule on Eq. 4.29
+    w12 = d_F_main_d_alpha*(a + b)
+    d_r_d_alpha = -w12*w6  # chain rule on Eq. 4.9 with v_dot = r_dot = 0
+    d_v_d_alpha = -a*d_r_d_alpha + u*w10  # chain rule on Eq. 4.14
+    w13 = 1/(1 + w7**2/u**2)
+    d_gamma_d_alpha = -b*d_r_d_alpha*w13/u + d_v_d_alpha*w13/u  # chain rule on Eq. 4.19
+    d_F_tail_d_alpha = d_gamma_d_alpha*w9  # chain rule on Eq. 4.29
     d_F_tail_wheel_d_alpha = Ct*d_gamma_d_alpha  # chain rule on Eq. 4.30
     d_sum_M_d_alpha = -a*d_F_main_d_alpha + b*d_F_tail_d_alpha + b*d_F_tail_wheel_d_alpha  # chain rule on Eq. 4.8
+    d_M_gear_d_alpha = w12  # chain rule on a scale for the sum
     return ca.Function(
         "nonlinear_equilibrium",
         [alpha, F_disturbance, m, a, b, u, rho, Ap, CL_gamma, Ct, Fz, B3, C3, B5, C5, B1, C1, D1, E1],
-        [sum_M, d_sum_M_d_alpha, v, r, gamma],
+        [sum_M, d_sum_M_d_alpha, d_M_gear_d_alpha, v, r],
         ["alpha", "F_disturbance", "m", "a", "b", "u", "rho", "Ap", "CL_gamma", "Ct", "Fz", "B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1"],
-        ["sum_M", "d_sum_M_d_alpha", "v", "r", "gamma"],
+        ["sum_M", "d_sum_M_d_alpha", "d_M_gear_d_alpha", "v", "r"],
     )
