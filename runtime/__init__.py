@@ -20,25 +20,45 @@ if TYPE_CHECKING:
     from .integration import integrator
     from .linearization import Linearization, OperatingPoint, linearize
     from .metrics import Metrics
+    from .sensitivities import Sensitivities
     from .simulation import Trajectory, simulate
-    from .stability import SpeedWindow, speed_window
+    from .stability import (
+        GearEnvelope,
+        GearLimit,
+        Margins,
+        SpeedWindow,
+        gear_envelope,
+        gear_limit,
+        margins,
+        speed_window,
+    )
     from .tire_fit import TireData, fit_tire
+    from .trimming import Trim, trim
 
 #: Public name -> module; imported on first use, so that `import groundloop` is cheap.
 _HOME = {
     "Aircraft": "aircraft",
+    "GearEnvelope": "stability",
+    "GearLimit": "stability",
     "GroundloopError": "errors",
     "Linearization": "linearization",
+    "Margins": "stability",
     "Metrics": "metrics",
     "OperatingPoint": "linearization",
+    "Sensitivities": "sensitivities",
     "SpeedWindow": "stability",
     "TireData": "tire_fit",
     "Trajectory": "simulation",
+    "Trim": "trimming",
     "fit_tire": "tire_fit",
+    "gear_envelope": "stability",
+    "gear_limit": "stability",
     "integrator": "integration",
     "linearize": "linearization",
+    "margins": "stability",
     "simulate": "simulation",
     "speed_window": "stability",
+    "trim": "trimming",
 }
 
 #: Public modules, imported on first use too.
@@ -46,19 +66,28 @@ _MODULES = ("gusts",)
 
 __all__ = [
     "Aircraft",
+    "GearEnvelope",
+    "GearLimit",
     "GroundloopError",
     "Linearization",
+    "Margins",
     "Metrics",
     "OperatingPoint",
+    "Sensitivities",
     "SpeedWindow",
     "TireData",
     "Trajectory",
+    "Trim",
     "fit_tire",
+    "gear_envelope",
+    "gear_limit",
     "gusts",
     "integrator",
     "linearize",
+    "margins",
     "simulate",
     "speed_window",
+    "trim",
 ]
 
 

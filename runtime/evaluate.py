@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
+import casadi as ca
 import numpy as np
 
 from . import generated
 from .arrays import FloatArray, broadcast
+
+#: Points per call of a generated function: few enough to stay in the cache.
+_BLOCK = 256
 
 
 def elementwise(name: str, arguments: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
@@ -26,23 +31,39 @@ def elementwise(name: str, arguments: Mapping[str, FloatArray]) -> dict[str, Flo
         Results by name, each in the common shape.
     """
     function = generated.load(name)
-    wanted = {key: arguments[key] for key in function.name_in()}
-    arrays, shape = broadcast(wanted)
-    rows = [array.reshape(1, -1) for array in arrays.values()]
-    results = function.call([np.ascontiguousarray(row) for row in rows])
+    arrays, shape = broadcast({key: arguments[key] for key in function.name_in()})
+    count = math.prod(shape)
+    blocks = math.ceil(count / _BLOCK)
+    rows = np.ones((len(arrays), blocks * _BLOCK))  # what fills the last block is thrown away
+    for row, array in zip(rows, arrays.values(), strict=True):
+        row[:count].reshape(shape)[...] = array
+    results = np.empty((function.n_out(), blocks * _BLOCK))
+    _apply(function.map(_BLOCK), rows, results)
     return {
-        key: np.array(result, dtype=np.float64).reshape(shape)
+        key: result[:count].reshape(shape)
         for key, result in zip(function.name_out(), results, strict=True)
     }
 
 
-def columns(name: str, *arguments: FloatArray) -> list[FloatArray]:
+def _apply(function: ca.Function, rows: FloatArray, results: FloatArray) -> None:
+    """Run through rows in blocks, in place: CasADi's own conversion of arrays is far slower."""
+    buffer, evaluate = function.buffer()
+    for start in range(0, rows.shape[1], _BLOCK):
+        block = slice(start, start + _BLOCK)
+        for k, row in enumerate(rows):
+            buffer.set_arg(k, memoryview(row[block]))  # type: ignore[call-arg]  # its C++ signature
+        for k, result in enumerate(results):
+            buffer.set_res(k, memoryview(result[block]))  # type: ignore[call-arg]
+        evaluate()
+
+
+def columns(function: str | ca.Function, *arguments: FloatArray) -> list[FloatArray]:
     """Apply a generated function of vectors to many at once.
 
     Parameters
     ----------
-    name : str
-        Name of the function, e.g. ``"nonlinear_rhs"``.
+    function : str or casadi.Function
+        The function or its name, e.g. ``"nonlinear_rhs"``.
     *arguments : ndarray, shape (n_k, N)
         For each argument one column per evaluation.
 
@@ -51,7 +72,8 @@ def columns(name: str, *arguments: FloatArray) -> list[FloatArray]:
     list of ndarray, shape (N, rows, columns)
         One matrix per evaluation for each output.
     """
-    function = generated.load(name)
+    if isinstance(function, str):
+        function = generated.load(function)
     count = arguments[0].shape[1]
     results = (
         function.map(count).call(list(arguments)) if count > 1 else function.call(list(arguments))

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, finite
+from .errors import GroundloopError
 from .evaluate import columns, elementwise
 from .names import signature
+
+if TYPE_CHECKING:
+    import control
+
+    from .sensitivities import Sensitivities
 
 ComplexArray = npt.NDArray[np.complex128]
 
@@ -75,6 +81,54 @@ class Linearization:
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
 
+    def __getitem__(self, index: Any) -> Linearization:
+        """The points at an index, or at a tuple of indices, of a linearization with arrays."""
+        shape = self.decay_rate.shape
+
+        def pick(value: Any) -> FloatArray:
+            return np.asarray(np.broadcast_to(value, shape)[index])
+
+        try:
+            given = {s: pick(value) for s, value in self.aircraft.given.items() if value.ndim}
+            at = OperatingPoint(pick(self.at.v), pick(self.at.r), pick(self.at.disturbance))
+        except IndexError as problem:
+            raise GroundloopError(f"there is no [{index}] among points {shape}") from problem
+        return linearize(self.aircraft.replace(**given), self.tire, at)
+
+    def sensitivities(self) -> Sensitivities:
+        """Exact derivatives of A and of the eigenvalues by each parameter of the model.
+
+        See `groundloop.sensitivities.Sensitivities`.
+        """
+        from .sensitivities import sensitivities
+
+        return sensitivities(self)
+
+    def to_control(self) -> control.StateSpace:
+        """The same model for the package control, with named states, inputs and outputs.
+
+        Raises
+        ------
+        GroundloopError
+            If this is more than one point, or the package is not installed.
+        """
+        if self.decay_rate.ndim:
+            first = ", ".join("0" * self.decay_rate.ndim)
+            raise GroundloopError(
+                f"a StateSpace holds one point, not {self.decay_rate.shape}: choose one, as in"
+                f" lin[{first}].to_control()"
+            )
+        try:
+            import control
+        except ImportError:
+            raise GroundloopError(
+                "to_control() needs the package control: pip install 'groundloop[control]'"
+            ) from None
+        names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+        return control.StateSpace(
+            self.A, self.B, self.C, self.D, **{kind: list(each) for kind, each in names.items()}
+        )
+
     def __repr__(self) -> str:
         head = f"Linearization of {self.aircraft.name!r}, {self.tire} tire, at {self.at}"
         if self.decay_rate.ndim:
@@ -122,16 +176,7 @@ def linearize(
         point = OperatingPoint(point.v, point.r, disturbance)
     names = signature(tire)
     aircraft = plane if speed is None else plane.replace(u=speed)
-    p, flat, shape = aircraft.columns(
-        tire,
-        v=finite("at.v", point.v),
-        r=finite("at.r", point.r),
-        disturbance=finite("disturbance", point.disturbance),
-    )
-    zero = np.zeros(p.shape[1])
-    x = np.stack([flat.get(s, zero) for s in names.states])
-    u = flat["disturbance"][None]
-
+    x, u, p, shape = columns_at(aircraft, tire, point)
     fx, fu, _, gx, gu, _ = columns(f"{tire}_jacobians", x, u, p)
     (rates,) = columns(f"{tire}_rhs", x, u, p)
     dynamic = [names.states.index(s) for s in names.dynamic]
@@ -140,9 +185,7 @@ def linearize(
         return values.reshape(*shape, *values.shape[1:])
 
     A = shaped(fx[:, dynamic][:, :, dynamic])
-    modes = elementwise(
-        "modes", {f"A_{i}{j}": A[..., k, n] for k, i in enumerate("vr") for n, j in enumerate("vr")}
-    )
+    modes = modes_of(A)
     eigenvalues = np.stack(
         [modes["re_1"] + 1j * modes["im_1"], modes["re_2"] + 1j * modes["im_2"]], -1
     )
@@ -164,3 +207,24 @@ def linearize(
         inputs=names.inputs,
         outputs=names.outputs,
     )
+
+
+def columns_at(
+    aircraft: Aircraft, tire: str, at: OperatingPoint
+) -> tuple[FloatArray, FloatArray, FloatArray, tuple[int, ...]]:
+    """States, inputs and parameters at operating points, one column per point, and their shape."""
+    p, flat, shape = aircraft.columns(
+        tire,
+        v=finite("at.v", at.v),
+        r=finite("at.r", at.r),
+        disturbance=finite("disturbance", at.disturbance),
+    )
+    zero = np.zeros(p.shape[1])
+    x = np.stack([flat.get(s, zero) for s in signature(tire).states])
+    return x, flat["disturbance"][None], p, shape
+
+
+def modes_of(A: FloatArray) -> dict[str, FloatArray]:
+    """What the generated function ``modes`` says of state matrices of shape (..., 2, 2)."""
+    entries = {f"A_{i}{j}": A[..., k, n] for k, i in enumerate("vr") for n, j in enumerate("vr")}
+    return elementwise("modes", entries)

@@ -1,0 +1,90 @@
+"""Exact derivatives of linear models by the parameters of the aircraft."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import casadi as ca
+import numpy as np
+import numpy.typing as npt
+
+from . import generated
+from .arrays import FloatArray
+from .evaluate import columns
+from .linearization import ComplexArray, Linearization, columns_at
+from .names import signature, symbol
+
+
+@dataclass(frozen=True)
+class Sensitivities:
+    """Exact derivatives of a linear model by the parameters of its aircraft.
+
+    They are partial: the operating point stays, and so do parameters that would follow.
+    ``sensitivities["a"]`` (or ``["main_gear_arm"]``) is the derivative of both eigenvalues.
+
+    Attributes
+    ----------
+    parameters : tuple of str
+        Symbols, in the order of the last axis of the arrays.
+    A : ndarray, shape (..., 2, 2, n)
+        Derivatives of the state matrix, SI units with radians.
+    eigenvalues : complex ndarray, shape (..., 2, n)
+        Derivatives of the eigenvalues, in the order of `Linearization.eigenvalues`. NaN where
+        the two meet: there they have no derivative.
+    decay_rate : ndarray, shape (..., n)
+        Derivatives of the decay rate, 1/s per unit of the parameter.
+    modes_meet : bool ndarray
+        Where the eigenvalues are too close to each other to tell apart.
+    """
+
+    parameters: tuple[str, ...]
+    A: FloatArray
+    eigenvalues: ComplexArray
+    decay_rate: FloatArray
+    modes_meet: npt.NDArray[np.bool_]
+
+    def __getitem__(self, name: str) -> ComplexArray:
+        column = symbol(name, "parameter", self.parameters, "these sensitivities")
+        return self.eigenvalues[..., self.parameters.index(column)]
+
+
+#: Eigenvalues closer than this, relative to the larger, carry no digits of their difference.
+_SAME = 1e-7
+
+
+def sensitivities(lin: Linearization) -> Sensitivities:
+    """Derivatives of a linear model; see `Sensitivities`."""
+    x, u, p, shape = columns_at(lin.aircraft, lin.tire, lin.at)
+    (flat,) = columns(_state_matrix_derivatives(lin.tire), x, u, p)
+    # CasADi stacks the columns of A
+    dA = flat.reshape(*shape, 2, 2, len(p)).swapaxes(-3, -2)
+    slopes, meet = _eigenvalue_derivatives(lin.A, lin.eigenvalues, dA)
+    return Sensitivities(signature(lin.tire).parameters, dA, slopes, -slopes[..., 0, :].real, meet)
+
+
+def _eigenvalue_derivatives(
+    A: FloatArray, eigenvalues: ComplexArray, dA: FloatArray
+) -> tuple[ComplexArray, npt.NDArray[np.bool_]]:
+    """w^H dA v / (w^H v) with the left and right eigenvectors w and v of each eigenvalue.
+
+    v w^H / (w^H v) is the projector on the mode, (A - other I) / (eigenvalue - other).
+    """
+    other = eigenvalues[..., ::-1]
+    apart = eigenvalues - other
+    meet = np.abs(apart[..., 0]) <= _SAME * np.abs(eigenvalues).max(axis=-1)
+    apart = np.where(meet[..., None], np.nan, apart)
+    projector = (A[..., None, :, :] - other[..., None, None] * np.eye(2)) / apart[..., None, None]
+    return np.einsum("...kij,...jip->...kp", projector, dA), meet
+
+
+@cache
+def _state_matrix_derivatives(tire: str) -> ca.Function:
+    """d(vec A)/dp by CasADi's differentiation of the generated Jacobians: (x, u, p) -> (4, n)."""
+    names = signature(tire)
+    jacobians = generated.build(f"{tire}_jacobians")
+    x, u, p = (ca.SX.sym(key, jacobians.size1_in(k)) for k, key in enumerate("xup"))
+    dynamic = [names.states.index(s) for s in names.dynamic]
+    A = jacobians(x, u, p)[0][dynamic, dynamic]
+    derivatives = ca.densify(ca.jacobian(ca.vec(A), p))
+    return ca.Function(f"{tire}_state_matrix_derivatives", [x, u, p], [derivatives])
