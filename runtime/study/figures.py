@@ -129,8 +129,8 @@ def _look(subject: Case, among: Sequence[Case]) -> dict[str, Any]:
     index = numbers.index(subject.trial.number)
     if len(numbers) == 1 and len(models) > 1:
         index = sorted(models).index(subject.model)
-    colour = {"color": COLOURS[index]}
-    return colour | (_OVERLAY[subject.model] if len(models) > 1 else {"linestyle": DASHES[index]})
+    drawn = _OVERLAY[subject.model] if len(models) > 1 else {"linestyle": DASHES[index]}
+    return {"color": COLOURS[index], **drawn}
 
 
 def _mark_exit(axis: Axes, line: Line2D, limits: Sequence[float] | None) -> None:
@@ -362,7 +362,8 @@ def _modes(figure: Figure, spec: FigureSpec) -> None:
     options = spec.options
     over, quantity = options["over"], options["quantity"]
     unit = options.get("unit", QUANTITIES[over].unit)
-    values = np.linspace(*options["range"], 241)
+    first, last = map(float, options["range"])
+    values = np.linspace(first, last, 241)
     scale = 1.0 if unit == QUANTITIES[over].unit else from_si(1.0, QUANTITIES[over].unit, unit)
     handles = []
     for k, number in enumerate(options["trials"]):

@@ -114,8 +114,12 @@ def judge(
 
 def worth(as_printed: str) -> float:
     """Worth of the last printed digit: 0.001 for ``"441.630"``."""
-    exponent = Decimal(as_printed).as_tuple().exponent
-    return float(Decimal(1).scaleb(int(exponent)))
+    return float(Decimal(1).scaleb(-decimals(as_printed)))
+
+
+def decimals(as_printed: str) -> int:
+    """Digits after the decimal point, an exponent included: 3 for ``"441.630"``."""
+    return -int(Decimal(as_printed).as_tuple().exponent)
 
 
 def _of_trials(table: Table) -> Iterator[Cell]:
@@ -144,7 +148,8 @@ def _of_symbols(table: Table, value: Callable[[str, str], float]) -> Iterator[Ce
             row.get("printed", row.get("value", "")),
             row["unit"],
         )
-        column = Column(symbol, _full_name(table, symbol), symbol, unit, table.tolerance)
+        label = table.labels.get(symbol, symbol)
+        column = Column(symbol, _full_name(table, symbol), label, unit, table.tolerance)
         computed = value(symbol, unit)
         agrees = judge(as_printed, computed, table.tolerance)
         reading = {name: partial(read, symbol, unit) for name, read in _TIRE_READINGS.items()}

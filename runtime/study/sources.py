@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -91,9 +92,9 @@ class Table:
         Of a table of trials.
     model : str
         Which tire the trials have.
-    changes, symbols, multiples : mapping
-        Of a table of symbols: changes to the aircraft, symbols of the rows where they differ
-        from the thesis's, factors.
+    changes, symbols, labels, multiples : mapping
+        Of a table of symbols: changes to the aircraft, our symbols where the typed rows have
+        others, the thesis's symbols where they are others, factors.
     tolerance : Tolerance
         Of a table of symbols.
     """
@@ -109,6 +110,7 @@ class Table:
     note: str = ""
     changes: Mapping[str, Any] = field(default_factory=dict)
     symbols: Mapping[str, str] = field(default_factory=dict)
+    labels: Mapping[str, str] = field(default_factory=dict)
     multiples: Mapping[str, float] = field(default_factory=dict)
 
 
@@ -150,6 +152,14 @@ class Erratum:
     def coverage(self, table: str, row: str, quantity: str) -> Coverage | None:
         """The entry that speaks of a cell, if any."""
         return next((c for c in self.cells if c.covers(table, row, quantity)), None)
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the thesis that holds tables or figures."""
+
+    number: str
+    title: str
 
 
 @dataclass(frozen=True)
@@ -228,6 +238,28 @@ def figures() -> Mapping[str, FigureSpec]:
 
 
 @cache
+def sections() -> tuple[Section, ...]:
+    """The sections that hold tables or figures, in order."""
+    return tuple(Section(**entry) for entry in _toml("report")["section"])
+
+
+@cache
+def citation() -> str:
+    """The thesis."""
+    return str(_toml("report")["citation"])
+
+
+@cache
+def digest() -> str:
+    """A digest of every data file of the study."""
+    folder = resources.files("groundloop.study") / "data"
+    found = hashlib.sha256()
+    for path in sorted(folder.iterdir(), key=lambda p: p.name):
+        found.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+    return found.hexdigest()[:16]
+
+
+@cache
 def figure_words(kind: str) -> Mapping[str, str]:
     """What legends call things: ``"labels"``, ``"models"`` or ``"sets"``."""
     return dict(_toml("figures")[kind])
@@ -263,6 +295,7 @@ def _table(
         note=entry.get("note", ""),
         changes=changes(entry.get("changes", {})),
         symbols=entry.get("symbols", {}),
+        labels=entry.get("labels", {}),
         multiples=entry.get("multiples", {}),
     )
 
