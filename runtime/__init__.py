@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .integration import integrator
     from .linearization import Linearization, OperatingPoint, linearize
     from .metrics import Metrics
+    from .runway import animate, runway_view
     from .sensitivities import Sensitivities
     from .simulation import Trajectory, simulate
     from .stability import (
@@ -50,12 +51,14 @@ _HOME = {
     "TireData": "tire_fit",
     "Trajectory": "simulation",
     "Trim": "trimming",
+    "animate": "runway",
     "fit_tire": "tire_fit",
     "gear_envelope": "stability",
     "gear_limit": "stability",
     "integrator": "integration",
     "linearize": "linearization",
     "margins": "stability",
+    "runway_view": "runway",
     "simulate": "simulation",
     "speed_window": "stability",
     "trim": "trimming",
@@ -78,6 +81,7 @@ __all__ = [
     "TireData",
     "Trajectory",
     "Trim",
+    "animate",
     "fit_tire",
     "gear_envelope",
     "gear_limit",
@@ -85,6 +89,7 @@ __all__ = [
     "integrator",
     "linearize",
     "margins",
+    "runway_view",
     "simulate",
     "speed_window",
     "trim",

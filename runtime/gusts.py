@@ -131,7 +131,7 @@ def one_minus_cosine(peak: Any, start: Any = 0.0, length: Any = 1.0) -> Gust:
 
     def force(t: FloatArray) -> FloatArray:
         share = np.clip((t - begin[..., None]) / duration[..., None], 0.0, 1.0)
-        return height[..., None] / 2 * (1 - np.cos(2 * np.pi * share))
+        return np.asarray(height[..., None] / 2 * (1 - np.cos(2 * np.pi * share)))
 
     label = f"1-cosine gust of {_text(height)} N from {_text(begin)} s over {_text(duration)} s"
     return Gust(force, _times(begin, begin + duration), label)

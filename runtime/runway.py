@@ -1,0 +1,434 @@
+"""The ground roll seen from above: path, heading and aircraft on the runway, as picture or film."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.patches import PathPatch, Rectangle
+from matplotlib.path import Path as Outline
+from matplotlib.patheffects import withStroke
+from matplotlib.transforms import Affine2D
+
+from .arrays import FloatArray, finite
+from .errors import GroundloopError, unknown
+from .generated.names import QUANTITIES
+from .plots import COLOURS, INK, MUTED, style
+from .simulation import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+#: Right half of the airframe, (ahead, right), in lengths from the CG to the tail. Only where the
+#: wheels stand is the aircraft's own; the rest is a typical light aircraft.
+_AIRFRAME = {
+    "fuselage": (
+        *((0.560, 0.000), (0.552, 0.030), (0.520, 0.052), (0.440, 0.092), (0.330, 0.110)),
+        *((0.120, 0.120), (-0.080, 0.118), (-0.280, 0.096), (-0.700, 0.044), (-0.930, 0.022)),
+        *((-1.060, 0.014), (-1.070, 0.000)),
+    ),
+    "wing": (
+        *((0.190, 0.000), (0.190, 1.080), (0.178, 1.190), (0.140, 1.270), (0.060, 1.310)),
+        *((-0.080, 1.315), (-0.150, 1.290), (-0.175, 1.220), (-0.185, 1.080), (-0.195, 0.000)),
+    ),
+    "tailplane": (
+        *((-0.830, 0.000), (-0.860, 0.200), (-0.905, 0.360), (-0.950, 0.405), (-1.010, 0.415)),
+        *((-1.045, 0.380), (-1.060, 0.200), (-1.060, 0.000)),
+    ),
+}
+#: In the same lengths: half the track of the main gear, where a nose wheel stands, half length and
+#: half width of a tire and of the propeller.
+_TRACK, _NOSE_WHEEL = 0.27, 0.40
+_TIRE, _PROPELLER = (0.068, 0.026), (0.010, 0.230)
+
+_ASPHALT, _PAINT, _GRASS = "#D6D7DB", "#FFFFFF", "#EDF2E4"
+_LARGEST = (8.2, 6.4)  # inches, the axes of a new figure
+_MARGIN = (0.8, 0.9)  # inches, for their labels
+
+
+@dataclass(frozen=True, eq=False)
+class _Roll:
+    """One run: its path over the ground, its wheels, and how it is drawn."""
+
+    t: FloatArray
+    X: FloatArray
+    Y: FloatArray
+    psi: FloatArray
+    force: FloatArray
+    a: float
+    b: float
+    label: str
+    colour: str
+
+    def at(self, t: float) -> tuple[float, float, float, float]:
+        """Position, m, heading, rad, and side force, N, at a time, from sample to sample."""
+        series = (self.X, self.Y, self.psi, self.force)
+        X, Y, psi, force = (float(np.interp(t, self.t, s)) for s in series)
+        return X, Y, psi, force
+
+    def track(self, ahead: float, right: float) -> tuple[FloatArray, FloatArray]:
+        """The path over the ground of a point of the aircraft, m from the CG."""
+        cos, sin = np.cos(self.psi), np.sin(self.psi)
+        return self.X + ahead * cos - right * sin, self.Y + ahead * sin + right * cos
+
+
+def runway_view(
+    run: Trajectory | Sequence[Trajectory],
+    *,
+    width: float = 20.0,
+    every: float = 0.5,
+    stretch: float = 1.0,
+    labels: Sequence[str] | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw ground rolls from above: the runway, the path of the CG, the aircraft at intervals.
+
+    Forward (X) is to the right and the right-hand side (Y) below. Main wheels and tail stand
+    where the aircraft has them; the rest of the silhouette is a typical light aircraft of that
+    length, with a nose wheel where the main gear is behind the CG. Dark lines are tracks of tires
+    (to scale only), arrows the side force on the tail, a cross is where the CG leaves the runway.
+    The forward speed of the model is constant: believe the way into a ground loop, not what comes
+    after the aircraft has turned.
+
+    Parameters
+    ----------
+    run : Trajectory or sequence of Trajectory
+        What to draw; each may hold several runs.
+    width : float
+        Width of the runway, m; its middle is Y = 0.
+    every : float
+        Time between silhouettes, s.
+    stretch : float
+        How many times larger a metre across is drawn than a metre along; 1 is to scale. The
+        aircraft keep their shape and point along the stretched path.
+    labels : sequence of str, optional
+        One for each run.
+    ax : Axes, optional
+        Where; a new figure if omitted.
+
+    Returns
+    -------
+    Axes
+
+    Raises
+    ------
+    GroundloopError
+        For a width, interval or stretch that is not positive, or too few or many labels.
+    """
+    _check(width=width, every=every, stretch=stretch)
+    rolls = _rolls(run, labels)
+    with style():
+        axes = _scene(rolls, width, stretch, ax)
+        strongest = max(float(np.abs(roll.force).max()) for roll in rolls)
+        for k, roll in enumerate(rolls):
+            axes.plot(roll.X, roll.Y, color=roll.colour, linewidth=1.1, zorder=3)
+            if stretch == 1:
+                _tire_tracks(axes, roll)
+            _mark_exit(axes, roll, width)
+            for t in np.arange(0.0, roll.t[-1] * (1 + 1e-9), every).tolist():
+                _place(axes, roll, t, shade=0.45 + 0.55 * t / roll.t[-1], zorder=4 + k)
+                _push(axes, roll, t, strongest, zorder=4 + k)
+        _clock(axes, rolls[0], every)
+        _legend(axes, rolls, explicit=labels is not None)
+    return axes
+
+
+def animate(
+    run: Trajectory | Sequence[Trajectory],
+    path: str | Path,
+    *,
+    width: float = 20.0,
+    stretch: float = 1.0,
+    labels: Sequence[str] | None = None,
+    fps: int = 20,
+    slow_motion: float = 1.0,
+    dpi: int = 90,
+    progress: Callable[[int, int], object] | None = None,
+) -> Path:
+    """Write a film of ground rolls seen from above.
+
+    Parameters
+    ----------
+    run, width, stretch, labels
+        As for `runway_view`.
+    path : str or Path
+        Where to; the suffix says what: ``.gif``, or ``.mp4`` where ffmpeg is installed.
+    fps : int
+        Pictures per second.
+    slow_motion : float
+        How many times longer the film is than the roll.
+    dpi : int
+        Dots per inch; the picture is 9 inches wide.
+    progress : callable, optional
+        Called with the number of each picture, from 0, and their count.
+
+    Returns
+    -------
+    Path
+        The file, which appears when it is complete.
+
+    Raises
+    ------
+    GroundloopError
+        For another suffix, a writer that is not there, or numbers that are not positive.
+    """
+    _check(width=width, stretch=stretch, fps=fps, slow_motion=slow_motion, dpi=dpi)
+    target = Path(path)
+    writer = _writer(target, fps)
+    rolls = _rolls(run, labels)
+    end = max(float(roll.t[-1]) for roll in rolls)
+    times = np.linspace(0.0, end, max(2, round(end * slow_motion * fps) + 1)).tolist()
+
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.figure import Figure
+
+    with style():
+        figure = Figure()
+        axes = _scene(rolls, width, stretch, figure.add_subplot(), fit=True)
+        _legend(axes, rolls, explicit=labels is not None)
+        clock = axes.set_title(" ", family="DejaVu Sans Mono")
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")  # once is enough, and it takes most of the time
+        passing: list[Any] = []
+
+        def draw(frame: int) -> list[Any]:
+            while passing:
+                passing.pop().remove()
+            clock.set_text(f"{times[frame]:4.1f} s")
+            for roll in rolls:
+                passing.extend(_moment(axes, roll, times[frame]))
+            return passing
+
+        with _complete(target) as draft:
+            film = FuncAnimation(figure, draw, frames=len(times), init_func=list)
+            film.save(draft, writer=writer, dpi=dpi, progress_callback=progress)  # type: ignore[arg-type]
+    return target
+
+
+def _check(**positive: float) -> None:
+    for name, value in positive.items():
+        if not finite(name, value) > 0:
+            raise GroundloopError(f"{name} must be positive, not {value}")
+
+
+def _rolls(run: Trajectory | Sequence[Trajectory], labels: Sequence[str] | None) -> list[_Roll]:
+    runs = [run] if isinstance(run, Trajectory) else list(run)
+    parts = [part for each in runs for part in _parts(each)]
+    if not parts:
+        raise GroundloopError("nothing to draw: no run was given")
+    if labels is not None and len(labels) != len(parts):
+        raise GroundloopError(f"there are {len(parts)} runs but {len(labels)} labels")
+    for k, label in enumerate(labels or ()):
+        parts[k] = replace(parts[k], label=label)
+    return [replace(part, colour=COLOURS[k % len(COLOURS)]) for k, part in enumerate(parts)]
+
+
+def _parts(run: Trajectory) -> Iterator[_Roll]:
+    """Each run in a trajectory by itself."""
+    shape = run["X"].shape[:-1]
+    paths = (run[s].reshape(-1, run.t.size) for s in ("X", "Y", "psi", "F_disturbance"))
+    arms = (np.broadcast_to(run.aircraft[s], shape).ravel().tolist() for s in ("a", "b"))
+    for k, (X, Y, psi, force, a, b) in enumerate(zip(*paths, *arms, strict=True)):
+        label = f"{run.aircraft.name}, {run.tire} tire{_varied(run, shape, k)}"
+        yield _Roll(run.t, X, Y, psi, force, a, b, label, COLOURS[0])
+
+
+def _varied(run: Trajectory, shape: tuple[int, ...], k: int) -> str:
+    """What is particular to one of several runs: its parameters, or its number."""
+    if not shape:
+        return ""
+    arrays = {s: value for s, value in run.aircraft.given.items() if value.ndim}
+    own = [
+        f"{s} = {np.broadcast_to(value, shape).flat[k]:.4g} {QUANTITIES[s].unit}"
+        for s, value in arrays.items()
+    ]
+    return ", " + (", ".join(own) or f"run {', '.join(map(str, np.unravel_index(k, shape)))}")
+
+
+def _limits(rolls: Sequence[_Roll], width: float) -> tuple[tuple[float, float], ...]:
+    """Lowest and highest X and Y, with room for the aircraft and the edges of the runway."""
+    reach = max(roll.b for roll in rolls)
+    X = np.concatenate([roll.X for roll in rolls])
+    Y = np.concatenate([roll.Y for roll in rolls])
+    side = 0.5 * width + 0.35 * reach
+    across = (min(Y.min() - 1.5 * reach, -side), max(Y.max() + 1.5 * reach, side))
+    return (X.min() - 1.8 * reach, X.max() + 1.8 * reach), across
+
+
+def _scene(
+    rolls: Sequence[_Roll], width: float, stretch: float, ax: Axes | None, fit: bool = False
+) -> Axes:
+    """Axes with an empty runway, in a figure of fitting size if that is ours to choose."""
+    along, across = _limits(rolls, width)
+    if ax is None:
+        from matplotlib import pyplot
+
+        ax, fit = pyplot.subplots()[1], True
+    if fit:
+        sides = along[1] - along[0], stretch * (across[1] - across[0])
+        scale = min(most / side for most, side in zip(_LARGEST, sides, strict=True))
+        across_page, down = (s * scale + more for s, more in zip(sides, _MARGIN, strict=True))
+        ax.figure.set_size_inches(across_page, down)  # type: ignore[union-attr]
+    ax.set(xlim=along, ylim=across[::-1], aspect=stretch, facecolor=_GRASS)
+    ax.grid(False)
+    ax.set_xlabel("distance $X$ along the runway (m)")
+    stretched = "" if stretch == 1 else f", × {stretch:g}"
+    ax.set_ylabel(f"offset $Y$ (m{stretched})")
+    ax.axhspan(-width / 2, width / 2, color=_ASPHALT, linewidth=0, zorder=0)
+    for edge in (-width / 2, width / 2):
+        ax.axhline(edge, color=_PAINT, linewidth=2.2, zorder=1)
+    ax.axhline(0.0, color=_PAINT, linewidth=1.6, dashes=(8, 6), zorder=1)
+    return ax
+
+
+@cache
+def _outline() -> Outline:
+    """The airframe as one shape in lengths from the CG to the tail."""
+    parts = []
+    for half in _AIRFRAME.values():
+        right = np.array(half)
+        ring = np.concatenate([right, (right * [1, -1])[::-1], right[:1]])
+        parts.append(Outline(ring, closed=True))
+    return Outline.make_compound_path(*parts)
+
+
+def _place(axes: Axes, roll: _Roll, t: float, shade: float, zorder: float) -> list[Any]:
+    """The aircraft where it is at a time, the paler the smaller its shade."""
+    body = _body(axes, roll, t)
+    paint, rubber = _mixed(roll.colour, shade), _mixed(INK, shade)
+    airframe = PathPatch(_outline(), facecolor=paint, edgecolor=_PAINT, linewidth=0.4)
+    main = roll.a / roll.b
+    third = (-1.0 if roll.a > 0 else _NOSE_WHEEL, 0.0)
+    wheels = [_box(*at, *_TIRE, rubber) for at in ((main, _TRACK), (main, -_TRACK), third)]
+    patches = [_box(0.575, 0.0, *_PROPELLER, rubber), airframe, *wheels]
+    for order, patch in enumerate(patches):
+        patch.set(transform=body + axes.transData, zorder=zorder + 0.01 * order)
+        axes.add_patch(patch)
+    return patches
+
+
+def _body(axes: Axes, roll: _Roll, t: float) -> Affine2D:
+    """From lengths of the aircraft, ahead and right, to the ground; undistorted where that is."""
+    X, Y, psi, _ = roll.at(t)
+    stretch = float(axes.get_aspect())
+    turned = Affine2D().rotate(np.arctan2(stretch * np.sin(psi), np.cos(psi)))
+    return turned.scale(roll.b, roll.b / stretch).translate(X, Y)
+
+
+def _tire_tracks(axes: Axes, roll: _Roll) -> None:
+    half = _TRACK * roll.b
+    points = [(roll.a, half), (roll.a, -half), *([(-roll.b, 0.0)] if roll.a > 0 else [])]
+    for point in points:
+        axes.plot(*roll.track(*point), color=INK, linewidth=0.6, alpha=0.4, zorder=2)
+
+
+def _box(ahead: float, right: float, long: float, wide: float, colour: str) -> Any:
+    corner = (ahead - long, right - wide)
+    return Rectangle(corner, 2 * long, 2 * wide, facecolor=colour, edgecolor="none")
+
+
+def _mixed(colour: str, share: float) -> str:
+    """A colour mixed with that of the runway."""
+    mixed = share * np.array(to_rgb(colour)) + (1 - share) * np.array(to_rgb(_ASPHALT))
+    return to_hex(mixed.tolist())
+
+
+def _push(axes: Axes, roll: _Roll, t: float, strongest: float, zorder: float) -> None:
+    """An arrow at the tail, its length in proportion to the side force."""
+    *_, force = roll.at(t)
+    if strongest == 0 or abs(force) < 0.02 * strongest:
+        return
+    ends = [(-1.0, 0.0), (-1.0, -1.5 * force / strongest)]
+    tail, start = _body(axes, roll, t).transform(ends).tolist()
+    arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", tail, start, arrowprops=arrow, zorder=zorder + 0.5)
+
+
+def _moment(axes: Axes, roll: _Roll, t: float) -> list[Any]:
+    """The path up to a time, and the aircraft at its end."""
+    now = min(t, float(roll.t[-1]))
+    before = roll.t < now
+    X, Y, *_ = roll.at(now)
+    path = axes.plot([*roll.X[before], X], [*roll.Y[before], Y], color=roll.colour, zorder=3)
+    return [*path, *_place(axes, roll, now, shade=1.0, zorder=4)]
+
+
+def _mark_exit(axes: Axes, roll: _Roll, width: float) -> None:
+    outside = np.flatnonzero(np.abs(roll.Y) > width / 2)
+    if outside.size == 0 or outside[0] == 0:
+        return
+    k = int(outside[0])
+    before, after = abs(roll.Y[k - 1]), abs(roll.Y[k])
+    share = (width / 2 - before) / (after - before)
+    X, t = (float(s[k - 1] + share * (s[k] - s[k - 1])) for s in (roll.X, roll.t))
+    Y = float(np.sign(roll.Y[k])) * width / 2
+    axes.plot([X], [Y], "x", color=roll.colour, markersize=7, markeredgewidth=2, zorder=9)
+    axes.annotate(
+        f"off the runway after {t:.1f} s",
+        (X, Y),
+        xytext=(-8, -10 if Y > 0 else 10),
+        textcoords="offset points",
+        ha="right",
+        va="center",
+        color=roll.colour,
+        fontsize=8,
+        path_effects=[withStroke(linewidth=2.5, foreground=_GRASS)],
+        zorder=9,
+    )
+
+
+def _clock(axes: Axes, roll: _Roll, every: float) -> None:
+    """Times of the silhouettes along the upper edge, under the positions of the first run."""
+    step = every * max(1, round(1.0 / every))
+    for t in np.arange(0.0, roll.t[-1] * (1 + 1e-9), step).tolist():
+        X, *_ = roll.at(t)
+        axes.annotate(
+            f"{t:g} s",
+            (X, 1.0),
+            xycoords=("data", "axes fraction"),
+            xytext=(0, 3),
+            textcoords="offset points",
+            ha="center",
+            color=MUTED,
+            fontsize=8,
+        )
+
+
+def _legend(axes: Axes, rolls: Sequence[_Roll], explicit: bool) -> None:
+    if not explicit and len(rolls) == 1:
+        return
+    handles = [Rectangle((0, 0), 1, 1, color=roll.colour, label=roll.label) for roll in rolls]
+    axes.legend(handles=handles, loc="lower left", handlelength=1.0)
+
+
+def _writer(path: Path, fps: int) -> Any:
+    from matplotlib.animation import FFMpegWriter, PillowWriter
+
+    writers: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
+    if path.suffix.lower() not in writers:
+        raise unknown("suffix", path.suffix, writers, f"{path}")
+    writer = writers[path.suffix.lower()]
+    if not writer.isAvailable():
+        raise GroundloopError(f"{path}: an .mp4 needs ffmpeg, which is not installed; .gif works")
+    return writer(fps=fps)
+
+
+@contextmanager
+def _complete(path: Path) -> Iterator[Path]:
+    """A file to write to that becomes `path` when all went well."""
+    try:
+        folder = tempfile.TemporaryDirectory(dir=path.parent, prefix=".film-")
+    except OSError as problem:
+        raise GroundloopError(f"cannot write {path}: {problem.strerror}") from problem
+    with folder as name:
+        draft = Path(name) / path.name
+        yield draft
+        os.replace(draft, path)

@@ -1,0 +1,159 @@
+"""The view from above: what is drawn stands where the aircraft is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib import pyplot
+from matplotlib.animation import FFMpegWriter
+from matplotlib.axes import Axes
+from matplotlib.patches import PathPatch, Rectangle
+from PIL import Image
+
+import groundloop as gl
+
+mpl.use("Agg")
+
+
+@pytest.fixture(autouse=True)
+def _close_figures() -> object:
+    yield
+    pyplot.close("all")
+
+
+@pytest.fixture(scope="module")
+def loop() -> gl.Trajectory:
+    plane = gl.Aircraft.load("brott-physical").replace(speed="60 km/h", Ct=0)
+    return gl.simulate(plane, disturbance=gl.gusts.step(-400.0, end=0.8), t=2.5, samples=251)
+
+
+def airframes(axes: Axes) -> list[PathPatch]:
+    return [patch for patch in axes.patches if isinstance(patch, PathPatch)]
+
+
+def on_the_ground(axes: Axes, patch: PathPatch | Rectangle) -> np.ndarray:
+    """Points of a patch in metres along and across."""
+    vertices = patch.get_path().vertices
+    return axes.transData.inverted().transform(patch.get_transform().transform(vertices))
+
+
+def test_an_aircraft_stands_at_each_interval(loop: gl.Trajectory) -> None:
+    axes = gl.runway_view(loop, every=0.5)
+    assert len(airframes(axes)) == 6
+    for k, patch in enumerate(airframes(axes)):
+        at = 50 * k
+        X, Y, psi = (loop[s][at] for s in ("X", "Y", "psi"))
+        ahead = on_the_ground(axes, patch) - [X, Y]
+        along = ahead @ [np.cos(psi), np.sin(psi)]
+        across = ahead @ [-np.sin(psi), np.cos(psi)]
+        b = loop.aircraft["b"]
+        assert along.min() == pytest.approx(-1.07 * b, rel=1e-6)
+        assert along.max() == pytest.approx(0.56 * b, rel=1e-6)
+        assert across.max() == pytest.approx(-across.min(), rel=1e-6)
+
+
+def test_wheels_stand_at_the_gear_and_at_the_tail(loop: gl.Trajectory) -> None:
+    axes = gl.runway_view(loop, every=10.0)
+    boxes = [p for p in axes.patches if isinstance(p, Rectangle) and p.get_zorder() >= 4]
+    centres = [on_the_ground(axes, box)[:4].mean(axis=0) for box in boxes]
+    a, b = float(loop.aircraft["a"]), float(loop.aircraft["b"])
+    assert centres[1][0] == pytest.approx(a, abs=1e-6)
+    assert centres[1] == pytest.approx(centres[2] * [1, -1], abs=1e-6)
+    assert centres[3] == pytest.approx([-b, 0.0], abs=1e-6)
+
+
+def test_right_is_below_and_the_scale_is_true(loop: gl.Trajectory) -> None:
+    axes = gl.runway_view(loop)
+    low, high = axes.get_ylim()
+    assert low > high
+    assert axes.get_aspect() == 1.0
+    assert "(m)" in axes.get_xlabel()
+    assert "(m)" in axes.get_ylabel()
+    stretched = gl.runway_view(loop, stretch=4.0)
+    assert stretched.get_aspect() == 4.0
+    assert "× 4" in stretched.get_ylabel()
+
+
+def test_the_exit_is_marked_where_the_path_crosses_the_edge(loop: gl.Trajectory) -> None:
+    axes = gl.runway_view(loop, width=12.0)
+    (cross,) = (line for line in axes.lines if line.get_marker() == "x")
+    (X,), (Y,) = cross.get_data()
+    assert abs(Y) == 6.0
+    assert np.interp(X, loop["X"], loop["Y"]) == pytest.approx(Y, abs=1e-3)
+    assert not [t for t in gl.runway_view(loop, width=90).texts if "off the" in t.get_text()]
+
+
+def test_several_runs_share_a_runway(loop: gl.Trajectory) -> None:
+    pair = gl.simulate(loop.aircraft.replace(a=np.array([-0.5, 0.6])), v0=0.1, t=1.0)
+    axes = gl.runway_view([loop, pair], labels=["gust", "behind", "ahead"])
+    labels = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert labels == ["gust", "behind", "ahead"]
+    own = gl.runway_view(pair).get_legend().get_texts()
+    assert ["a = -0.5 m" in own[0].get_text(), "a = 0.6 m" in own[1].get_text()] == [True, True]
+
+
+def test_axes_of_ones_own_are_used(loop: gl.Trajectory) -> None:
+    figure, axes = pyplot.subplots(figsize=(5.0, 4.0))
+    assert gl.runway_view(loop, ax=axes) is axes
+    assert figure.get_size_inches().tolist() == [5.0, 4.0]
+
+
+def test_an_arrow_pushes_the_tail_the_way_of_the_force(loop: gl.Trajectory) -> None:
+    axes = gl.runway_view(loop)
+    arrows = [text for text in axes.texts if text.arrow_patch is not None]
+    assert len(arrows) == 2  # at 0 and 0.5 s; over at 0.8 s
+    tail, start = arrows[0].xy, arrows[0].xyann
+    assert tail == pytest.approx([-float(loop.aircraft["b"]), 0.0])
+    assert start[1] > 0.0  # a force to the left comes from the right, which is below
+
+
+def test_a_film_has_a_picture_for_each_moment(loop: gl.Trajectory, tmp_path: Path) -> None:
+    short = gl.simulate(loop.aircraft, v0=0.1, t=0.5, samples=11)
+    seen: list[int] = []
+    path = gl.animate(
+        short,
+        tmp_path / "roll.gif",
+        fps=5,
+        slow_motion=2,
+        dpi=40,
+        progress=lambda k, n: seen.append(k),
+    )
+    assert path == tmp_path / "roll.gif"
+    with Image.open(path) as film:
+        assert film.n_frames == 6
+    assert seen == [0, 1, 2, 3, 4, 5]
+    assert [p.name for p in tmp_path.iterdir()] == ["roll.gif"]
+
+
+@pytest.mark.skipif(FFMpegWriter.isAvailable(), reason="ffmpeg is there")
+def test_a_film_without_ffmpeg_says_so(loop: gl.Trajectory, tmp_path: Path) -> None:
+    with pytest.raises(gl.GroundloopError, match=r"needs ffmpeg.*\.gif works"):
+        gl.animate(loop, tmp_path / "roll.mp4")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"width": 0.0}, "width must be positive"),
+        ({"every": -1.0}, "every must be positive"),
+        ({"stretch": np.nan}, "stretch must be finite"),
+        ({"labels": ["a", "b"]}, "1 runs but 2 labels"),
+    ],
+)
+def test_bad_views_are_named(
+    loop: gl.Trajectory, arguments: dict[str, object], message: str
+) -> None:
+    with pytest.raises(gl.GroundloopError, match=message):
+        gl.runway_view(loop, **arguments)
+
+
+def test_bad_films_are_named(loop: gl.Trajectory, tmp_path: Path) -> None:
+    with pytest.raises(gl.GroundloopError, match=r"unknown suffix '.gfi'.*.gif"):
+        gl.animate(loop, tmp_path / "roll.gfi")
+    with pytest.raises(gl.GroundloopError, match="cannot write"):
+        gl.animate(loop, tmp_path / "nowhere" / "roll.gif")
+    with pytest.raises(gl.GroundloopError, match="nothing to draw"):
+        gl.runway_view([])
