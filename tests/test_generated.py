@@ -1,0 +1,473 @@
+"""generated/ is what derive/ makes, byte for byte, and works without a compiler or a cache."""
+
+import ast
+import importlib
+import os
+import re
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from oracles import MODELS, values
+
+from groundloop import generated
+from groundloop.derive import __main__ as command
+from groundloop.derive import emit
+from groundloop.derive.c_source import c_source
+from groundloop.derive.casadi_source import CasadiPrinter
+from groundloop.generated import library
+
+FOLDER = Path(generated.__file__).parent
+SOURCES = (".py", ".c", ".md")
+FILES = sorted(p.relative_to(FOLDER).as_posix() for p in FOLDER.rglob("*") if p.suffix in SOURCES)
+
+
+@cache
+def fresh() -> dict[str, str]:
+    return emit.files()
+
+
+# --- The text -------------------------------------------------------------------------------
+
+
+def test_no_file_is_missing_and_none_is_left_over():
+    assert sorted(fresh()) == FILES, "run `make derive`"
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_generated_is_what_derive_makes(name: str):
+    assert (FOLDER / name).read_text() == fresh()[name], f"{name} is stale: run `make derive`"
+
+
+def test_it_is_the_same_from_another_folder_under_another_hash_seed(tmp_path: Path):
+    out = tmp_path / "elsewhere"
+    subprocess.run(
+        [sys.executable, "-m", "groundloop.derive", "--out", str(out)],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONHASHSEED": "4321"},
+        check=True,
+    )
+    written = {p.relative_to(out).as_posix(): p.read_text() for p in out.rglob("*") if p.is_file()}
+    assert sorted(written) == sorted(fresh())
+    assert [name for name, text in fresh().items() if written[name] != text] == []
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_it_says_where_it_comes_from(name: str):
+    first, *_ = (FOLDER / name).read_text().splitlines()
+    assert f"Generated from derive/ (digest {emit.digest()})" in first
+    assert f"SymPy {sp.__version__} and CasADi {ca.CasadiMeta.version()}" in first
+    assert "run `make derive`" in first
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_it_holds_no_date_and_no_path(name: str):
+    text = (FOLDER / name).read_text()
+    dates = re.findall(r"\b20\d\d-\d\d-\d\d\b|\b\d\d:\d\d:\d\d\b|__DATE__|__TIME__", text)
+    places = [str(place) for place in (FOLDER.parent, Path.home()) if place != Path("/")]
+    assert (dates, [place for place in places if place in text]) == ([], [])
+
+
+def test_the_check_prints_the_difference_and_the_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    for module in (command, emit):
+        monkeypatch.setattr(module, "files", fresh)
+    emit.write(tmp_path)
+    assert command.check(tmp_path) == 0
+    stability = tmp_path / "stability.py"
+    stability.write_text(stability.read_text().replace("2*C_alpha", "3*C_alpha"))
+    assert command.check(tmp_path) == 1
+    printed = capsys.readouterr()
+    assert "-    C_f = 3*C_alpha" in printed.out
+    assert "+    C_f = 2*C_alpha" in printed.out
+    assert "stability.py: not what derive/ makes; run `make derive`" in printed.err
+
+
+def test_writing_removes_what_is_no_longer_generated(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(emit, "files", fresh)
+    emit.write(tmp_path)
+    (tmp_path / "c" / "unicycle.c").write_text(fresh()["c/tire.c"])
+    emit.write(tmp_path)
+    assert not (tmp_path / "c" / "unicycle.c").exists()
+
+
+@pytest.mark.xfail(strict=True, reason="--out removes every file in the folder that it is given")
+def test_writing_leaves_alone_what_was_never_generated(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(emit, "files", fresh)
+    notes = tmp_path / "thesis" / "notes.txt"
+    notes.parent.mkdir()
+    notes.write_text("mine")
+    emit.write(tmp_path)
+    assert notes.exists()
+
+
+# --- The printer ----------------------------------------------------------------------------
+
+x, y = sp.symbols("x y", real=True)
+
+
+@pytest.mark.parametrize(
+    "expr",
+    [
+        *(sp.asin(x), sp.atan2(x, y), sp.sinh(x), sp.sign(x), sp.Heaviside(x), sp.floor(x)),
+        *(sp.gamma(x), sp.Function("f")(x), sp.Mod(x, y), sp.re(sp.Symbol("z"))),
+        *(x**y, sp.cbrt(x), 2**x, x ** sp.Rational(3, 2)),
+        *(sp.oo, sp.nan, sp.zoo, sp.Derivative(sp.Function("f")(x), x), sp.Integral(x, x)),
+        *(sp.Max(x, y, 1), sp.Matrix([x]), sp.Eq(x, y), x > y),
+    ],
+    ids=str,
+)
+def test_what_is_not_on_the_list_is_refused(expr: sp.Basic):
+    """SymPy's own printers fall back to names that CasADi does not know, or to NaN."""
+    with pytest.raises(NotImplementedError):
+        CasadiPrinter().doprint(expr)
+
+
+@pytest.mark.xfail(strict=True, reason="SymPy's own methods print these, or break")
+@pytest.mark.parametrize("expr", [sp.pi * x, sp.E * x, sp.I * x, sp.Sum(x, (y, 1, 3))], ids=str)
+def test_what_sympy_prints_by_itself_is_refused(expr: sp.Expr):
+    with pytest.raises(NotImplementedError):
+        CasadiPrinter().doprint(expr)
+
+
+def test_the_refusal_names_what_there_is():
+    with pytest.raises(
+        NotImplementedError, match=r"asin has no CasADi operation; there are .*atan"
+    ):
+        CasadiPrinter().doprint(sp.asin(x))
+
+
+def run(expr: sp.Expr, at: tuple[float, float]) -> float:
+    symbols = {"ca": ca, "x": ca.SX.sym("x"), "y": ca.SX.sym("y")}
+    value = eval(CasadiPrinter().doprint(expr), symbols)
+    return float(ca.Function("f", [symbols["x"], symbols["y"]], [value])(*at))
+
+
+@pytest.mark.parametrize(
+    "expr",
+    [
+        *(x - y, -(x - y), x - (y - 1), 2 * x / 3, -x / 2, -(x**2), (-x) ** 2, (x + y) ** 3),
+        *(x / y, x / (y / 3), 1 / (x * y), x / (x + y), 1 / (x + y) ** 2, y / x**2, 3 / (x * y)),
+        *(-1 / (2 * x), -1 / (x - y), sp.Rational(-3, 4) * x / y**2, x * (y + 1) / (x - 3)),
+        *(sp.sqrt(x), 1 / sp.sqrt(x + y), y / sp.sqrt(x), -x * sp.sqrt(y), sp.sqrt(2) * x),
+        *(sp.sin(x) * sp.cos(y), sp.tan(x) ** 2, sp.atan(x / y), sp.exp(-x), sp.log(x + y)),
+        *(sp.Abs(x - y), -sp.Abs(x - 9) ** 3, sp.Max(x, y), sp.Min(x, y) * sp.Max(x, 1)),
+        *(sp.Integer(3) + 0 * x, sp.Rational(1, 3), sp.Float("0.1") * x),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_what_is_printed_is_what_was_meant(expr: sp.Expr):
+    for at in ((0.7, 1.9), (2.3, 0.4)):
+        expected = float(expr.subs({x: at[0], y: at[1]}))
+        assert run(expr, at) == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.xfail(strict=True, raises=NotImplementedError, reason="conditions are not printed")
+@pytest.mark.parametrize(
+    "expr",
+    [
+        sp.Piecewise((x, x > y), (y, True)),
+        sp.Piecewise((x, x > 1), (y, x <= 0), (x * y, True)),
+    ],
+    ids=str,
+)
+def test_piecewise_is_printed(expr: sp.Expr):
+    for at in ((0.7, 1.9), (2.3, 0.4), (-1.0, 3.0)):
+        assert run(expr, at) == pytest.approx(float(expr.subs({x: at[0], y: at[1]})))
+
+
+# --- The C ----------------------------------------------------------------------------------
+
+C_FILES = [name for name in FILES if name.endswith(".c")]
+
+
+@pytest.mark.parametrize("name", C_FILES)
+def test_c_is_complete(name: str):
+    assert "#error" not in (FOLDER / name).read_text()
+
+
+def test_c_that_casadi_cannot_generate_is_an_error(capfd: pytest.CaptureFixture[str]):
+    """CasADi itself warns, and leaves `#error` in the text."""
+    t = ca.SX.sym("t")
+    cvodes = ca.integrator("decay", "cvodes", {"x": t, "ode": -t}, 0.0, 1.0)
+    with pytest.raises(NotImplementedError, match="CasADi cannot generate C for all of decay"):
+        c_source("decay", [cvodes], "")
+
+
+def test_every_function_is_in_the_c_file_that_the_table_names():
+    for name, (_, _, c_file) in generated.FUNCTIONS.items():
+        assert f"CASADI_SYMBOL_EXPORT int {name}(" in (FOLDER / "c" / f"{c_file}.c").read_text()
+
+
+# --- The equation sheet ---------------------------------------------------------------------
+
+SHEET = (FOLDER / "EQUATIONS.md").read_text()
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_the_sheet_has_every_equation_of_a_model_with_its_number(name: str):
+    for equation in MODELS[name].chain:
+        row = f"${equation.lhs.latex} = {sp.latex(equation.rhs)}$ | {equation.source} |"
+        assert row in SHEET
+
+
+@pytest.mark.parametrize(
+    "number",
+    [
+        *("3.1", "3.2", "3.3", "3.5", "3.6", "3.8", "3.9", "3.10", "3.11"),
+        *("4.7", "4.8", "4.9", "4.14", "4.19", "4.20", "4.21", "4.24", "4.26"),
+        *("4.28", "4.29", "4.30", "4.31", "4.38"),
+    ],
+)
+def test_the_sheet_can_be_followed_by_number(number: str):
+    assert f"| Eq. {number} |" in SHEET
+
+
+def test_the_sheet_has_what_the_thesis_does_not_print():
+    for closed_form in (r"\operatorname{tr} A", r"\det A", r"u_{\mathrm{low}}", r"\zeta"):
+        assert f"| ${closed_form} = " in SHEET
+
+
+@pytest.mark.xfail(strict=True, reason="the meaning of damped_frequency is |Im(eigenvalue)|")
+def test_tables_of_the_sheet_are_whole():
+    """A bar inside a cell would open another."""
+    for table in re.findall(r"(?:^\|.*\|\n)+", SHEET, re.MULTILINE):
+        head, *rows = (line.count("|") for line in table.splitlines())
+        assert [n for n in rows if n != head] == [], table
+
+
+# --- The builders ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", generated.FUNCTIONS)
+@settings(max_examples=10)
+@given(data=st.data())
+def test_compiled_functions_give_the_numbers_of_their_builders(name: str, data: st.DataObject):
+    builder, compiled = generated.build(name), generated.load(name)
+    signature = [f"{compiled.name_in()} -> {compiled.name_out()}"]
+    assert signature == [f"{builder.name_in()} -> {builder.name_out()}"]
+    vectors = {"x": "states", "x0": "states", "u": "inputs", "p": "parameters"}
+    arguments = []
+    for n, argument in enumerate(builder.name_in()):
+        symbols = [argument]
+        if builder.name_in(0) in ("x", "x0") and argument in vectors:
+            symbols = getattr(generated.MODELS[name.split("_")[0]], vectors[argument])
+        assert builder.size_in(n) == (len(symbols), 1)
+        arguments.append(data.draw(values(symbols)))
+    pairs = zip(builder.call(arguments), compiled.call(arguments), strict=True)
+    for interpreted, native in pairs:
+        np.testing.assert_allclose(native, interpreted, rtol=1e-14, atol=1e-14)
+
+
+def docstrings() -> dict[str, str]:
+    """By CasADi name, of the builders that are generated from equations."""
+    found = {}
+    for name, (module, builder, _) in generated.FUNCTIONS.items():
+        if builder not in ("rk4", "rk45"):
+            home = importlib.import_module(f"groundloop.generated.{module}")
+            found[name] = getattr(home, builder).__doc__
+    return found
+
+
+@pytest.mark.parametrize(("name", "doc"), docstrings().items())
+def test_docstrings_state_the_shapes(name: str, doc: str):
+    function = generated.build(name)
+    summary, inputs, outputs, *_ = re.split(r"\n\s*\w+\n\s*-+\n", doc)
+    assert summary.strip().endswith(".")
+    stated = re.findall(r"^\s*(\w+) : (?:scalar|column of (\d+))", inputs, re.MULTILINE)
+    assert [(n, int(size or 1)) for n, size in stated] == [
+        (n, function.size1_in(n)) for n in function.name_in()
+    ]
+    stated = re.findall(r"^\s*(\w+) : (\d+) x (\d+), \S", outputs, re.MULTILINE)
+    assert [(n, (int(rows), int(columns))) for n, rows, columns in stated] == [
+        (n, function.size_out(n)) for n in function.name_out()
+    ]
+
+
+@pytest.mark.parametrize("name", [name for name in FILES if name.endswith(".py")])
+def test_generated_python_is_ordinary(name: str):
+    """It parses, and every function in it has a docstring, but for the module's hooks."""
+    tree = ast.parse((FOLDER / name).read_text())
+    assert ast.get_docstring(tree)
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    public = [f for f in functions if not f.name.startswith("_")]
+    assert [f.name for f in public if not ast.get_docstring(f)] == []
+
+
+# --- The library ----------------------------------------------------------------------------
+
+#: Prints two functions from two C files: how each is evaluated, and its value.
+USE = """
+from groundloop.generated import load
+for name, arguments in (("magic_formula", [1, .8, 1.2, 1, .4]), ("f_follows", [4, 5])):
+    function = load(name)
+    print(function.class_name(), *[float(x).hex() for x in function.call(arguments)])
+"""
+
+
+def use(folder: Path, script: str = USE, **environment: str) -> tuple[list[str], list[str]]:
+    """What a fresh interpreter with this cache folder prints, and how it warns."""
+    run = subprocess.run(
+        [sys.executable, "-W", "always", "-c", script],
+        env={**os.environ, "GROUNDLOOP_CACHE": str(folder), **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    return run.stdout.splitlines(), re.findall(r"Warning: (.*)", run.stderr)
+
+
+def interpreted(lines: list[str]) -> list[str]:
+    return [line.replace("External", "SXFunction") for line in lines]
+
+
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[str]]:
+    """A cache folder that holds two libraries, and what they print."""
+    folder = tmp_path_factory.mktemp("cache") / "not" / "yet" / "there"
+    printed, warned = use(folder)
+    assert [line.split()[0] for line in printed] == ["External", "External"]
+    assert warned == []
+    return folder, printed
+
+
+def test_the_cache_holds_each_library_once_and_nothing_else(filled: tuple[Path, list[str]]):
+    folder, printed = filled
+    before = {path.name: path.stat().st_mtime_ns for path in folder.iterdir()}
+    assert use(folder) == (printed, [])
+    assert {path.name: path.stat().st_mtime_ns for path in folder.iterdir()} == before
+    assert sorted(re.sub(r"-\w{20}", "", name) for name in before) == [
+        *("loads.sha256", "loads.so", "tire.sha256", "tire.so")
+    ]
+
+
+@pytest.mark.parametrize("damage", ["garbage", "cut short", "empty", "seal gone"])
+def test_a_damaged_library_is_compiled_again(
+    damage: str, filled: tuple[Path, list[str]], tmp_path: Path
+):
+    folder, printed = filled
+    copy = tmp_path / "cache"
+    copy.mkdir()
+    for path in folder.iterdir():
+        (copy / path.name).write_bytes(path.read_bytes())
+    (victim,) = copy.glob("tire-*.so")
+    good = victim.read_bytes()
+    if damage == "seal gone":
+        victim.with_suffix(".sha256").unlink()
+    else:
+        bad = {"garbage": b"not a library", "cut short": good[: len(good) // 2], "empty": b""}
+        victim.write_bytes(bad[damage])
+
+    again, warned = use(copy)
+    assert again == printed
+    assert warned == [f"{victim} is damaged; compiling it again"]
+    assert use(copy) == (printed, [])
+
+
+def test_two_processes_may_compile_at_once(filled: tuple[Path, list[str]], tmp_path: Path):
+    _, printed = filled
+    command = [sys.executable, "-W", "error", "-c", USE]
+    environment = {**os.environ, "GROUNDLOOP_CACHE": str(tmp_path / "cache")}
+    both = [
+        subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
+        for _ in range(2)
+    ]
+    assert [process.communicate()[0].splitlines() for process in both] == [printed, printed]
+
+
+def test_a_cache_folder_that_cannot_be_written_is_done_without(
+    filled: tuple[Path, list[str]], tmp_path: Path
+):
+    _, printed = filled
+    temporary, file = tmp_path / "temporary", tmp_path / "file"
+    temporary.mkdir()
+    file.write_text("a folder cannot be made below a file, not even by root")
+    again, warned = use(file / "cache", TMPDIR=str(temporary))
+    assert again == printed
+    assert len(warned) == 1
+    assert f"cannot write to the cache folder {file / 'cache'} (Not a directory)" in warned[0]
+    assert "Set GROUNDLOOP_CACHE" in warned[0]
+    assert list(temporary.iterdir()) == []  # what it made instead is gone
+
+
+@pytest.mark.parametrize("wanted", ["cc", "no-such-compiler"])
+def test_without_a_compiler_the_virtual_machine_gives_the_same_numbers(
+    wanted: str, filled: tuple[Path, list[str]], tmp_path: Path
+):
+    _, printed = filled
+    again, warned = use(tmp_path / "cache", PATH=str(tmp_path), CC=wanted)
+    assert again == interpreted(printed)
+    assert len(warned) == 1
+    assert f"no C compiler ({wanted} is not on the PATH; set CC)" in warned[0]
+    assert "CasADi's virtual machine" in warned[0]
+
+
+def fake_compiler(path: Path, text: str) -> Path:
+    path.write_text(text)
+    path.chmod(0o755)
+    return path
+
+
+def test_a_compiler_that_does_not_work_is_done_without(
+    filled: tuple[Path, list[str]], tmp_path: Path
+):
+    broken = fake_compiler(tmp_path / "broken", "#!/bin/sh\necho no licence >&2\nexit 1\n")
+    again, warned = use(tmp_path / "cache", CC=str(broken))
+    assert again == interpreted(filled[1])
+    assert len(warned) == 1
+    assert f"{broken} failed: no licence" in warned[0]
+
+
+@pytest.mark.xfail(strict=True, reason="the message names the file, so each is said once")
+def test_a_compiler_that_fails_on_every_file_is_complained_about_once(
+    filled: tuple[Path, list[str]], tmp_path: Path
+):
+    script = '#!/bin/sh\ncase "$*" in *-E*) exit 0;; esac\necho disk full >&2\nexit 1\n'
+    full = fake_compiler(tmp_path / "full", script)
+    again, warned = use(tmp_path / "cache", CC=str(full))
+    assert again == interpreted(filled[1])
+    assert len(warned) == 1
+
+
+@pytest.mark.xfail(strict=True, reason="OSError of subprocess is not caught")
+def test_a_compiler_that_cannot_be_run_is_done_without(
+    filled: tuple[Path, list[str]], tmp_path: Path
+):
+    garbage = fake_compiler(tmp_path / "garbage", "\x7fnot a program")
+    again, warned = use(tmp_path / "cache", CC=str(garbage))
+    assert again == interpreted(filled[1])
+    assert len(warned) == 1
+
+
+def test_stale_c_is_refused(tmp_path: Path):
+    old = tmp_path / "tire.c"
+    text = (library.SOURCES / "tire.c").read_text()
+    old.write_text(text.replace(generated.DIGEST, "0123456789abcdef"))
+    with pytest.raises(generated.StaleError, match=r"tire\.c .*run `make derive`"):
+        library.compiled(old)
+
+
+@pytest.mark.parametrize("get", [generated.load, generated.build])
+def test_an_unknown_function_is_an_error_that_names_the_nearest(get):
+    with pytest.raises(KeyError, match=r"no generated function 'nonlinear_rk54'; .*nonlinear_rk45"):
+        get("nonlinear_rk54")
+
+
+def test_functions_are_attributes():
+    assert generated.nonlinear_rk45 is generated.load("nonlinear_rk45")
+    assert set(generated.FUNCTIONS) < set(dir(generated))
+    with pytest.raises(AttributeError, match="nonlinear_rk54"):
+        _ = generated.nonlinear_rk54
