@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from importlib import resources
 
 import jinja2
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from .ledger import Cell, count, decimals, rows
 from .provenance import provenance
@@ -31,7 +32,12 @@ def html(cells: Sequence[Cell], drawings: Mapping[str, str]) -> str:
     environment = jinja2.Environment(
         autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
     )
-    environment.filters |= {"computed": computed_text, "mark": mark, "symbol": symbol}
+    environment.filters |= {
+        "computed": computed_text,
+        "linked": linked,
+        "mark": mark,
+        "symbol": symbol,
+    }
     template = environment.from_string((folder / "report.html.j2").read_text(encoding="utf-8"))
     style = (folder / "report.css").read_text(encoding="utf-8")
     return template.render(
@@ -84,6 +90,11 @@ def symbol(label: str) -> Markup:
     return Markup("<i>{}</i>").format(base) + (
         Markup("<sub>{}</sub>").format(below) if below else ""
     )
+
+
+def linked(text: str) -> Markup:
+    """A text in which each "erratum 3" leads to the erratum."""
+    return Markup(re.sub(r"erratum (\d+)", r'<a href="#erratum-\1">erratum \1</a>', escape(text)))
 
 
 def markdown(cells: Sequence[Cell]) -> str:
