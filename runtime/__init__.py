@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from .errors import GroundloopError
     from .integration import integrator
     from .linearization import Linearization, OperatingPoint, linearize
+    from .maps import StabilityMap, stability_map
     from .metrics import Metrics
+    from .records import load_run
     from .runway import animate, runway_view
     from .sensitivities import Sensitivities
     from .simulation import Trajectory, simulate
@@ -48,6 +50,7 @@ _HOME = {
     "OperatingPoint": "linearization",
     "Sensitivities": "sensitivities",
     "SpeedWindow": "stability",
+    "StabilityMap": "maps",
     "TireData": "tire_fit",
     "Trajectory": "simulation",
     "Trim": "trimming",
@@ -57,10 +60,12 @@ _HOME = {
     "gear_limit": "stability",
     "integrator": "integration",
     "linearize": "linearization",
+    "load_run": "records",
     "margins": "stability",
     "runway_view": "runway",
     "simulate": "simulation",
     "speed_window": "stability",
+    "stability_map": "maps",
     "trim": "trimming",
 }
 
@@ -78,6 +83,7 @@ __all__ = [
     "OperatingPoint",
     "Sensitivities",
     "SpeedWindow",
+    "StabilityMap",
     "TireData",
     "Trajectory",
     "Trim",
@@ -88,10 +94,12 @@ __all__ = [
     "gusts",
     "integrator",
     "linearize",
+    "load_run",
     "margins",
     "runway_view",
     "simulate",
     "speed_window",
+    "stability_map",
     "trim",
 ]
 

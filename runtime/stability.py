@@ -93,6 +93,16 @@ CLOSED_FORMS = {
     "speed_margin": ("tail_wheel_needed", "speed_margin"),
 }
 
+#: The same for what is said of every speed at once.
+OVER_SPEED = {
+    "lower_critical_speed": ("speed_window", "u_low"),
+    "upper_critical_speed": ("speed_window", "u_high"),
+    "weakest_speed": ("weakest_speed", "u_weakest"),
+    "least_determinant": ("weakest_speed", "det_weakest"),
+    "speed_margin": ("tail_wheel_needed", "speed_margin"),
+    "stiffness_needed_always": ("tail_wheel_needed", "Ct_always"),
+}
+
 
 def margins(plane: Aircraft, *, speed: Any = None) -> Margins:
     """Every margin of the linear model at a speed, in closed form.
@@ -116,10 +126,11 @@ def margins(plane: Aircraft, *, speed: Any = None) -> Margins:
 
 def closed_forms(plane: Aircraft, names: Sequence[str]) -> dict[str, FloatArray]:
     """Some of the margins, from as few generated functions as they need."""
+    known = CLOSED_FORMS | OVER_SPEED
     for name in names:
-        if name not in CLOSED_FORMS:
-            raise unknown("margin", name, CLOSED_FORMS)
-    wanted = {CLOSED_FORMS[name][0] for name in names}
+        if name not in known:
+            raise unknown("margin", name, known)
+    wanted = {known[name][0] for name in names}
     results: dict[str, dict[str, FloatArray]] = {}
     if wanted & {"modes", "times"}:
         results["modes"] = elementwise("modes", closed_form("state_matrix", plane))
@@ -127,7 +138,7 @@ def closed_forms(plane: Aircraft, names: Sequence[str]) -> dict[str, FloatArray]
         results["times"] = elementwise("times", results["modes"])
     for function in sorted(wanted - results.keys()):
         results[function] = closed_form(function, plane)
-    return {name: results[CLOSED_FORMS[name][0]][CLOSED_FORMS[name][1]] for name in names}
+    return {name: results[known[name][0]][known[name][1]] for name in names}
 
 
 def closed_form(function: str, plane: Aircraft, **given: FloatArray) -> dict[str, FloatArray]:
