@@ -6,7 +6,7 @@ BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed
 
 .DEFAULT_GOAL := study
-.PHONY: study derive compile test lint types drift unit bench clean help
+.PHONY: study derive compile test lint types drift unit docs bench clean help
 
 study: compile  ## every table and figure of the thesis, into ./study (the default)
 	$(BIN)/groundloop study --out study
@@ -39,6 +39,9 @@ drift: $(STAMP)  ## generated/ is exactly what derive/ makes
 
 unit: $(STAMP)  ## the test suite
 	$(BIN)/python -m pytest -n 2
+
+docs: $(STAMP)  ## the documentation, into docs/_build
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going -q docs docs/_build
 
 bench: $(STAMP)  ## speed, side by side with other tools; not part of the tests
 	$(BIN)/python tests/benchmarks/run.py

@@ -12,3 +12,30 @@ autodoc_member_order = "bysource"
 napoleon_google_docstring = False
 napoleon_use_ivar = True
 exclude_patterns = ["_build", "examples"]
+
+
+def _errata_page() -> str:
+    """The errata of the thesis as a page; the study's data file is their only home."""
+    import tomllib
+    from pathlib import Path
+
+    data = Path(__file__).parent.parent / "runtime" / "study" / "data" / "errata.toml"
+    lines = [
+        "# Errata of the thesis",
+        "",
+        "Where the print contradicts itself, its own data or its own program, and what we rest that",
+        "on. The numbers are those in the study's ledger.",
+        "",
+    ]
+    for entry in tomllib.loads(data.read_text(encoding="utf-8"))["erratum"]:
+        lines += [f"## {entry['number']}. {entry['where']}", ""]
+        for label in ("printed", "right", "evidence"):
+            lines += [f"**{label.capitalize()}.** {entry[label]}", ""]
+    return "\n".join(lines)
+
+
+def setup(app: object) -> None:
+    """Write the pages that come from data."""
+    from pathlib import Path
+
+    (Path(__file__).parent / "errata.md").write_text(_errata_page(), encoding="utf-8")
