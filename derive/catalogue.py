@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import loads, tire
+from . import loads, placement, tire
 from .casadi_source import Argument, FunctionSpec, Result, cancel_tangents
 from .components import alpha
 from .equation import Chain, needed
@@ -37,6 +37,7 @@ def modules() -> tuple[Module, ...]:
         _loads_module(),
         _tire_module(),
         _stability_module(),
+        _placement_module(),
     )
 
 
@@ -137,6 +138,50 @@ def _stability_module() -> Module:
         "stability",
         "Closed forms of the linear model (Section 4.7 and what it leaves unsaid).",
         stability_functions(),
+    )
+
+
+def _placement_module() -> Module:
+    return Module(
+        "placement",
+        "Where the wheels may stand: loads, margins and limits from stations.",
+        (
+            scalar_function(
+                "placement_following",
+                "Arms, loads and stiffnesses where the stiffnesses follow the loads.",
+                placement.FOLLOWING,
+                placement.STIFFNESS,
+                placement.following_stiffness(),
+            ),
+            scalar_function(
+                "placement_constant",
+                "Arms, loads and stiffnesses where no stiffness knows where the gear is.",
+                placement.CONSTANT,
+                placement.STIFFNESS,
+                placement.constant_stiffness(),
+            ),
+            scalar_function(
+                "placement_tire",
+                "Cornering coefficient of a worn tire.",
+                placement.TIRE,
+                placement.WORN,
+                placement.worn_tire(),
+            ),
+            scalar_function(
+                "placement_margins",
+                "Smooth conditions for a decay rate and a damping ratio.",
+                placement.AIRFRAME,
+                placement.CONDITIONS,
+                placement.margins(),
+            ),
+            scalar_function(
+                "placement_limits",
+                "What else limits the place of the wheels.",
+                placement.GROUND,
+                placement.LIMITED,
+                placement.limits(),
+            ),
+        ),
     )
 
 

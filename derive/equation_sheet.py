@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
+from . import placement
 from .catalogue import Module
 from .equation import Chain
 from .kinematics import path_rates
@@ -31,7 +32,7 @@ def equation_sheet(derived: Sequence[Module]) -> str:
     for model in models:
         lines += _model_section(model)
     lines += _section("Loads and stiffnesses", static_loads())
-    for title, chain, text in stability_sections(models):
+    for title, chain, text in (*stability_sections(models), *placement.sections()):
         lines += _section(title, chain, text)
     return "\n".join([*lines, *_symbol_table(models)])
 

@@ -161,6 +161,25 @@ F_tail_load = Quantity(
     r"F_{z\,\mathrm{tail}}",
     ">=0",
 )
+h_cg = Quantity(
+    "h_cg",
+    "cg_height",
+    "m",
+    "the CG above the ground, in the attitude in which stations are measured",
+    r"h_{\mathrm{CG}}",
+    ">0",
+)
+x_nose = Quantity(
+    "x_nose", "nose_wheel_station", "m", "the nose wheel behind the datum", r"x_{\mathrm{nose}}"
+)
+u_lift = Quantity(
+    "u_lift",
+    "lift_off_speed",
+    "m/s",
+    "speed at which the wings carry all the weight, in the attitude of the ground roll",
+    r"u_{\mathrm{lift}}",
+    ">0",
+)
 K1 = Quantity("K1", "tail_wheel_K1", "1/rad", "tail wheel stiffness over load: linear term", "K_1")
 K2 = Quantity("K2", "tail_wheel_K2", "1/(rad N)", "quadratic term", "K_2")
 K3 = Quantity("K3", "tail_wheel_K3", "1/(rad N^2)", "cubic term", "K_3")
@@ -173,4 +192,5 @@ PARAMETERS = (
     *(C_alpha, Ct, Fz, B3, C3, B5, C5, B1, C1, D1, E1),
     *(x_cg, x_main, x_tail, x_forward, x_aft),
     *(g, L, f, F_tail_load, K1, K2, K3, K4),
+    *(h_cg, x_nose, u_lift),
 )

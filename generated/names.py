@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 3a7584f5309e9afe) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 254e20982af9af9c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -25,7 +25,7 @@ class Signature(NamedTuple):
     outputs: tuple[str, ...]
 
 
-DIGEST = "3a7584f5309e9afe"
+DIGEST = "254e20982af9af9c"
 
 QUANTITIES = {
     q.symbol: q
@@ -69,6 +69,9 @@ QUANTITIES = {
         Quantity("K2", "tail_wheel_K2", "1/(rad N)", "quadratic term", "K_2", ""),
         Quantity("K3", "tail_wheel_K3", "1/(rad N^2)", "cubic term", "K_3", ""),
         Quantity("K4", "tail_wheel_K4", "1/(rad N^3)", "quartic term", "K_4", ""),
+        Quantity("h_cg", "cg_height", "m", "the CG above the ground, in the attitude in which stations are measured", "h_{\\mathrm{CG}}", ">0"),
+        Quantity("x_nose", "nose_wheel_station", "m", "the nose wheel behind the datum", "x_{\\mathrm{nose}}", ""),
+        Quantity("u_lift", "lift_off_speed", "m/s", "speed at which the wings carry all the weight, in the attitude of the ground roll", "u_{\\mathrm{lift}}", ">0"),
         Quantity("F_disturbance", "disturbance", "N", "side force on the vertical tail (a crosswind), to the right", "F_{y\\,\\mathrm{disturbance}}", ""),
         Quantity("alpha", "main_gear_slip_angle", "rad", "slip angle of the main tires", "\\alpha", ""),
         Quantity("gamma", "tail_angle", "rad", "angle of incidence of the tail and its wheel", "\\gamma", ""),
@@ -143,6 +146,26 @@ QUANTITIES = {
         Quantity("a_loaded", "gear_arm_of_load", "m", "gear ahead of the CG at that share", "a_\\phi", ""),
         Quantity("d_sum_M_d_alpha", "d_yaw_moment_d_main_gear_slip_angle", "(N m)/(rad)", "derivative of sum_M by alpha", "\\frac{\\partial \\sum M_z}{\\partial \\alpha}", ""),
         Quantity("d_M_gear_d_alpha", "d_gear_moment_d_main_gear_slip_angle", "(N m)/(rad)", "derivative of M_gear by alpha", "\\frac{\\partial M_{\\mathrm{gear}}}{\\partial \\alpha}", ""),
+        Quantity("x_third", "third_wheel_station", "m", "tail wheel or nose wheel behind the datum", "x_{\\mathrm{third}}", ""),
+        Quantity("kappa", "tail_wheel_scale", "1", "stiffness of the tail wheel over that of the aircraft file; 0: it casters", "\\kappa", ">=0"),
+        Quantity("w", "weight_on_wheels", "1", "share of the weight on the wheels, lift by speed apart", "w", ""),
+        Quantity("tau", "tail_load", "1", "load on the tail wheel over the one that follows from the CG", "\\tau", ""),
+        Quantity("eta", "tire_wear", "1", "cornering stiffness of the tires over that of new ones", "\\eta", ">0"),
+        Quantity("C_alpha_0", "given_cornering_stiffness", "N/rad", "cornering stiffness of one main tire at the full weight", "C_{\\alpha 0}", ""),
+        Quantity("Fz_0", "given_tire_load", "N", "load on one main tire at the full weight", "F_{z0}", ""),
+        Quantity("Ct_0", "given_tail_wheel_stiffness", "N/rad", "cornering stiffness of the tail wheel at its static load", "C_{f\\,\\mathrm{tail}\\,0}", ""),
+        Quantity("F_0", "given_tail_wheel_load", "N", "the static load at which that holds", "F_0", ""),
+        Quantity("B3_worn", "worn_intercept", "1/rad", "B3 of a worn tire", "B_{3\\eta}", ""),
+        Quantity("C3_worn", "worn_slope", "1/(rad N)", "C3 of a worn tire", "C_{3\\eta}", ""),
+        Quantity("d", "required_decay_rate", "1/s", "a decay rate to be reached", "d", ""),
+        Quantity("zeta", "required_damping_ratio", "1", "a damping ratio to be reached", "\\zeta", ""),
+        Quantity("trace_d", "shifted_trace", "1/s", "tr(A + d I): not positive", "\\operatorname{tr}_d", ""),
+        Quantity("det_d", "shifted_determinant", "1/s^2", "det(A + d I): not negative", "\\det{}_d", ""),
+        Quantity("damping", "damping_polynomial", "1/s^2", "(tr A)^2 - 4 zeta^2 det A: not negative", "Z", ""),
+        Quantity("third_load", "third_wheel_load_fraction", "1", "share of the weight on the tail wheel or nose wheel, at rest", "\\phi", ""),
+        Quantity("nose_over", "nose_over_angle", "rad", "from the vertical below the CG forward to the main wheels", "\\nu", ""),
+        Quantity("tip_back", "tip_back_angle", "rad", "from the vertical below the CG back to the main wheels", "\\epsilon", ""),
+        Quantity("span", "wheel_span", "m", "main gear to tail wheel or nose wheel", "l", ""),
     )
 }
 
@@ -203,4 +226,9 @@ FUNCTIONS = {
     "at_tail_load": ("stability", "at_tail_load", "stability"),
     "linear_equilibrium": ("stability", "linear_equilibrium", "stability"),
     "nonlinear_equilibrium": ("stability", "nonlinear_equilibrium", "stability"),
+    "placement_following": ("placement", "placement_following", "placement"),
+    "placement_constant": ("placement", "placement_constant", "placement"),
+    "placement_tire": ("placement", "placement_tire", "placement"),
+    "placement_margins": ("placement", "placement_margins", "placement"),
+    "placement_limits": ("placement", "placement_limits", "placement"),
 }
