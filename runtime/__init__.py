@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from . import gusts
     from .aircraft import Aircraft
+    from .checking import Check, check
     from .errors import GroundloopError
     from .integration import integrator
     from .linearization import Linearization, OperatingPoint, linearize
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
 #: Public name -> module; imported on first use, so that `import groundloop` is cheap.
 _HOME = {
     "Aircraft": "aircraft",
+    "Check": "checking",
     "GearEnvelope": "stability",
     "GearLimit": "stability",
     "GroundloopError": "errors",
@@ -55,6 +57,7 @@ _HOME = {
     "Trajectory": "simulation",
     "Trim": "trimming",
     "animate": "runway",
+    "check": "checking",
     "fit_tire": "tire_fit",
     "gear_envelope": "stability",
     "gear_limit": "stability",
@@ -74,6 +77,7 @@ _MODULES = ("gusts",)
 
 __all__ = [
     "Aircraft",
+    "Check",
     "GearEnvelope",
     "GearLimit",
     "GroundloopError",
@@ -88,6 +92,7 @@ __all__ = [
     "Trajectory",
     "Trim",
     "animate",
+    "check",
     "fit_tire",
     "gear_envelope",
     "gear_limit",

@@ -99,7 +99,7 @@ class _Entry:
 
 def load(name: str | Path) -> Aircraft:
     """Read a packaged aircraft by name, or an aircraft file by path; see `Aircraft.load`."""
-    path = _locate(name)
+    path = locate(name)
     try:
         text = path.read_text(encoding="utf-8-sig")
         data = tomllib.loads(text)
@@ -117,7 +117,8 @@ def packaged_files(suffix: str = ".toml") -> dict[str, Path]:
     return {p.name.removesuffix(suffix): p for p in files}
 
 
-def _locate(name: str | Path) -> Path:
+def locate(name: str | Path) -> Path:
+    """The file of a packaged aircraft by name, or a path as it is."""
     path = Path(name)
     if path.suffix == ".toml":
         return path

@@ -1,17 +1,43 @@
-"""The command line: one module per command, imported when it is called."""
+"""The command line: one module per command, imported when it is called.
+
+Results go to stdout, everything else to stderr. Exit codes, for scripts:
+
+====  =====================================================================================
+0     done; also an honest "there is none"
+1     it cannot be done, and the message says why: a file with mistakes, a value that cannot
+      be, a folder that cannot be written; `check` of an aircraft that no model can run
+2     wrong usage: an unknown command, option, parameter name or unit
+130   interrupted
+====  =====================================================================================
+"""
 
 from __future__ import annotations
 
 import importlib
+import os
 import sys
+import warnings
 from typing import Any
 
 import click
 
 #: Command -> what it does, in one line. The module of the same name holds `command`.
 COMMANDS = {
+    "simulate": "The ground roll after a disturbance, with a picture.",
+    "linearize": "State-space matrices and modes at an operating point.",
+    "trim": "Every steady turn under a side force.",
+    "map": "A stability margin over any two parameters, with a picture.",
+    "check": "What an aircraft file says, what follows, what is missing.",
+    "new": "An aircraft file to fill in.",
+    "fit-tire": "Parameters of the non-linear tire from measured forces.",
     "study": "Every table and figure of Brott's thesis, computed and compared.",
+    "info": "Versions, packaged aircraft and tires, models.",
 }
+
+_EPILOG = (
+    "AIRCRAFT is a packaged aircraft or a TOML file; any quantity may have a unit ('100 km/h')."
+    ' Completion: eval "$(_GROUNDLOOP_COMPLETE=bash_source groundloop)", or zsh_source.'
+)
 
 
 class _LazyGroup(click.Group):
@@ -35,33 +61,46 @@ class _LazyGroup(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args and args[0] not in COMMANDS:
-            from ..errors import unknown
+            from groundloop.errors import unknown
 
             raise click.UsageError(str(unknown("command", args[0], COMMANDS)), ctx)
         return super().resolve_command(ctx, args)
 
 
-@click.command(cls=_LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.command(
+    cls=_LazyGroup,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog=_EPILOG,
+)
 @click.version_option(package_name="groundloop")
 def _group() -> None:
     """Ground stability of light aircraft: where may the wheels stand?"""
 
 
-def main(arguments: list[str] | None = None) -> Any:
-    """Run the command line.
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line and return its exit code, one of those above."""
+    from groundloop.errors import GroundloopError
 
-    Exit codes: 0 done, 1 it cannot be done (the message says why), 2 wrong usage, 130 interrupted.
-    """
-    from ..errors import GroundloopError
+    with warnings.catch_warnings():
+        warnings.showwarning = _show_warning
+        try:
+            return _group.main(args=arguments, prog_name="groundloop", standalone_mode=False) or 0
+        except click.ClickException as problem:
+            problem.show()
+            return problem.exit_code
+        except (click.Abort, KeyboardInterrupt):
+            return _failed("interrupted", 130)
+        except BrokenPipeError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the last flush
+            return 1
+        except GroundloopError as problem:
+            return _failed(str(problem), 1)
 
-    try:
-        return _group.main(args=arguments, standalone_mode=False)
-    except GroundloopError as problem:
-        click.echo(f"groundloop: {problem}", err=True)
-        sys.exit(1)
-    except click.ClickException as problem:
-        problem.show()
-        sys.exit(problem.exit_code)
-    except (click.Abort, KeyboardInterrupt):
-        click.echo("groundloop: interrupted", err=True)
-        sys.exit(130)
+
+def _failed(message: str, code: int) -> int:
+    click.echo(f"groundloop: {message}", err=True)
+    return code
+
+
+def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    click.echo(f"groundloop: warning: {message}", err=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
+from typing import Any
 
 import click
 
@@ -13,7 +14,7 @@ import click
 def progress() -> Iterator[Callable[[str, int, int], None]]:
     """Yield a function of (what is being done, steps done, steps in all) that shows a bar."""
     with ExitStack() as stack:
-        bars = []
+        bars: list[Any] = []
 
         def show(label: str, done: int, total: int) -> None:
             if not bars:

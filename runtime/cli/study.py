@@ -22,7 +22,7 @@ from .progress import progress
 )
 def command(out: Path) -> None:
     """Compute every table and figure of Brott's thesis and compare with the print."""
-    from .. import study
+    from groundloop import study
 
     with progress() as show:
         summary = study.run(out, show)

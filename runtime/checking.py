@@ -1,0 +1,225 @@
+"""What is known of an aircraft, what is missing, and what looks unusual."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib import resources
+from typing import Any
+
+import numpy as np
+
+from .aircraft import FOLLOWS, Aircraft, NotGivenError, Source, parameter_symbols
+from .arrays import FloatArray
+from .consistency import contradictions, following, in_words
+from .errors import GroundloopError
+from .evaluate import elementwise
+from .generated import build
+from .generated.names import MODELS, QUANTITIES
+from .names import symbol
+from .stability import speed_window
+from .units import to_si
+
+#: Results of `placement_limits` that describe an aircraft at rest.
+_LIMITS = ("third_load", "nose_over", "tip_back")
+
+#: From how large a relative difference on a note says that a value overrides what would follow.
+_OVERRIDES = 0.01
+
+
+@dataclass(frozen=True)
+class Known:
+    """One quantity of an aircraft.
+
+    Attributes
+    ----------
+    symbol, name, unit : str
+        What it is; the unit is the SI unit.
+    value : ndarray
+        In that unit.
+    follows_from : tuple of str
+        Names of what it follows from; empty if it is given.
+    source : Source
+        Where it comes from if it is given.
+    """
+
+    symbol: str
+    name: str
+    unit: str
+    value: FloatArray
+    follows_from: tuple[str, ...] = ()
+    source: Source = field(default_factory=Source)
+
+
+@dataclass(frozen=True, repr=False)
+class Check:
+    """What `check` found; its repr is a report.
+
+    Attributes
+    ----------
+    aircraft : Aircraft
+        What was checked.
+    known : tuple of Known
+        Every quantity that is given or follows.
+    missing : mapping of str to tuple of str
+        For each tire model the parameters it lacks, in words; empty if it can be run.
+    warnings : tuple of str
+        What contradicts itself, or is outside of what is usual.
+    notes : tuple of str
+        What is worth knowing and not wrong.
+    """
+
+    aircraft: Aircraft
+    known: tuple[Known, ...]
+    missing: Mapping[str, tuple[str, ...]]
+    warnings: tuple[str, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def estimates(self) -> tuple[str, ...]:
+        """Names of the quantities that are estimates."""
+        return tuple(k.name for k in self.known if k.source.estimate)
+
+    def __repr__(self) -> str:
+        lines = [f"Check of {self.aircraft.name!r}: {len(self.known)} quantities known"]
+        for title, texts in (
+            *((f"missing for the {tire} tire", texts) for tire, texts in self.missing.items()),
+            ("warnings", self.warnings),
+            ("notes", self.notes),
+        ):
+            lines += [f"  {title}: {text}" for text in texts]
+        return "\n".join(lines)
+
+
+def check(plane: Aircraft) -> Check:
+    """Explain what is known of an aircraft, what it lacks, and what looks unusual.
+
+    Parameters
+    ----------
+    plane : Aircraft
+        The aircraft; of an array any element counts.
+
+    Returns
+    -------
+    Check
+        Quantities with their sources, missing parameters, warnings and notes. What is usual is
+        in the data file ``plausible.toml``, with sources.
+    """
+    known = (*_parameters(plane), *_limits(plane))
+    return Check(
+        aircraft=plane,
+        known=known,
+        missing={tire: tuple(_missing(plane, tire)) for tire in MODELS},
+        warnings=(*map(str, contradictions(plane)), *_unusual(plane, known)),
+        notes=(*_overrides(plane), *_stability(plane)),
+    )
+
+
+def _parameters(plane: Aircraft) -> Iterator[Known]:
+    for s in plane:
+        q = QUANTITIES[s]
+        if s in plane.given:
+            yield Known(s, q.name, q.unit, plane[s], source=plane.sources.get(s, Source()))
+        else:
+            needed = tuple(QUANTITIES[n].name for n in build(f"{s}_follows").name_in())
+            yield Known(s, q.name, q.unit, plane[s], needed)
+
+
+def _limits(plane: Aircraft) -> Iterator[Known]:
+    """Share of weight on the third wheel and angles at the main gear, as far as they follow."""
+    third = "x_nose" if "x_nose" in plane else "x_tail"
+    wanted = {"x_main": "x_main", "x_third": third, "x_cg": "x_cg", "h_cg": "h_cg"}
+    arguments = {slot: plane[s] if s in plane else np.asarray(np.nan) for slot, s in wanted.items()}
+    needed = tuple(QUANTITIES[s].name for s in wanted.values() if s in plane)
+    if third == "x_tail" and _gear(plane) == "tricycle":
+        arguments["x_third"] = np.asarray(np.nan)
+    results = elementwise("placement_limits", arguments)
+    for s in _LIMITS:
+        if np.isfinite(results[s]).all():
+            yield Known(s, QUANTITIES[s].name, QUANTITIES[s].unit, results[s], needed)
+
+
+def _gear(plane: Aircraft) -> str:
+    """``"taildragger"``, ``"tricycle"``, or nothing if that cannot be told."""
+    if "a" not in plane:
+        return ""
+    return "taildragger" if (plane["a"] > 0).all() else "tricycle"
+
+
+def _missing(plane: Aircraft, tire: str) -> Iterator[str]:
+    for s in MODELS[tire].parameters:
+        try:
+            plane[s]
+        except NotGivenError:
+            q = QUANTITIES[s]
+            from_others = f", or {' and '.join(_roots(plane, s))}" if s in FOLLOWS else ""
+            yield f"{q.name} ({q.meaning}){from_others}"
+        except GroundloopError as problem:
+            yield str(problem)
+
+
+def _roots(plane: Aircraft, s: str) -> list[str]:
+    """Names of what a parameter would follow from and is not known."""
+    return [QUANTITIES[n].name for n in build(f"{s}_follows").name_in() if n not in plane]
+
+
+def _unusual(plane: Aircraft, known: tuple[Known, ...]) -> Iterator[str]:
+    values = {k.symbol: k.value for k in known}
+    for rule in _usual():
+        s = symbol(rule["quantity"], "quantity", tuple(QUANTITIES))
+        if s not in values or rule.get("gear", _gear(plane)) != _gear(plane):
+            continue
+        low, high = (_number(rule[bound], s) for bound in ("low", "high"))
+        if ((values[s] < low) | (values[s] > high)).any():
+            yield (
+                f"{QUANTITIES[s].name} is {_shown(s, values[s])}; usual is"
+                f" {rule['low']} to {rule['high']}: {rule['meaning']} ({rule['source']})"
+            )
+
+
+@cache
+def _usual() -> list[dict[str, Any]]:
+    text = (resources.files("groundloop") / "plausible.toml").read_text(encoding="utf-8")
+    rules: list[dict[str, Any]] = tomllib.loads(text)["usual"]
+    return rules
+
+
+def _number(bound: Any, s: str) -> float:
+    return to_si(str(bound), QUANTITIES[s].unit, f"plausible.toml, {s}")
+
+
+def _shown(s: str, value: FloatArray) -> str:
+    """A value in words, a fraction in percent and an angle in degrees."""
+    if s == "third_load":
+        return f"{100 * np.ravel(value)[0]:.1f} %"
+    if QUANTITIES[s].unit == "rad":
+        return f"{np.degrees(np.ravel(value)[0]):.1f} deg"
+    return in_words(s, value)
+
+
+def _overrides(plane: Aircraft) -> Iterator[str]:
+    """Given values that differ from what would follow."""
+    for s in filter(FOLLOWS.__contains__, parameter_symbols()):
+        other = following(plane, s) if s in plane.given else None
+        if other is None or (_gear(plane) == "tricycle" and s in ("f", "F_tail_load")):
+            continue  # as if the nose wheel were a tail wheel
+        if not np.allclose(plane[s], other, rtol=_OVERRIDES):
+            given = in_words(s, plane[s])
+            yield f"{QUANTITIES[s].name} is given as {given}; {in_words(s, other)} would follow"
+
+
+def _stability(plane: Aircraft) -> Iterator[str]:
+    """Where the linear model is unstable."""
+    try:
+        window = speed_window(plane)
+    except GroundloopError:
+        return
+    low, high = np.ravel(window.low), np.ravel(window.high)
+    if not np.isfinite(low).any():
+        yield "the linear model is stable at every speed"
+        return
+    first = int(np.flatnonzero(np.isfinite(low))[0])
+    to = f"to {high[first]:.1f} m/s" if np.isfinite(high[first]) else "upwards"
+    yield f"the linear model is unstable from {low[first]:.1f} m/s {to}"

@@ -1,0 +1,111 @@
+"""``groundloop check``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from . import options
+from .output import Output, emit, number, paragraph, shown, table
+
+if TYPE_CHECKING:
+    from groundloop.checking import Check, Known
+
+
+@click.command(name="check", epilog="Example: groundloop check cessna-170")
+@options.aircraft
+@click.option("--strict", is_flag=True, help="Exit with 1 if there are warnings.")
+@options.output
+def command(
+    plane: str,
+    changes: options.Changes,
+    strict: bool,
+    form: str,
+    out: Path | None,
+) -> None:
+    """Explain what an aircraft file says, what follows from it and what is missing.
+
+    Exits with 1 if the file has mistakes or no model can be run with it.
+    """
+    from groundloop.checking import check
+
+    found = check(options.loaded(plane, changes))
+    emit(Output(_text(found), _rows(found), _data(found)), form, out)
+    if all(found.missing.values()) or (strict and found.warnings):
+        raise click.exceptions.Exit(1)
+
+
+def _text(found: Check) -> str:
+    plane = found.aircraft
+    parts = [f"{plane.name}: {plane.title}"]
+    parts += [plane.description] if plane.description else []
+    parts += [f"Source: {plane.source}"] if plane.source else []
+    given = [k for k in found.known if not k.follows_from]
+    follows = [k for k in found.known if k.follows_from]
+    if given:
+        parts.append("Given (~ is an estimate)\n" + _table(given, "source"))
+    if follows:
+        parts.append("Follows\n" + _table(follows, "from"))
+    for title, texts in (
+        *_missing(found),
+        ("Look twice", found.warnings),
+        ("Worth knowing", found.notes),
+    ):
+        if texts:
+            parts.append("\n".join([title, *map(paragraph, texts)]))
+    return "\n\n".join(parts)
+
+
+def _missing(found: Check) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """What every model lacks, then what each lacks beside."""
+    lists = list(found.missing.values())
+    every = set(lists[0]).intersection(*lists[1:])
+    yield "Missing", tuple(text for text in lists[0] if text in every)
+    for tire, missing in found.missing.items():
+        yield f"Missing for the {tire} tire", tuple(t for t in missing if t not in every)
+
+
+def _table(known: list[Known], last: str) -> str:
+    rows = []
+    for k in known:
+        mark = "~" if k.source.estimate else ""
+        value, unit = _value(k)
+        rows.append(
+            [k.name, k.symbol, mark + value, unit, k.source.text or ", ".join(k.follows_from)]
+        )
+    return table(["quantity", "symbol", "value", "unit", last], rows, right=(2,))
+
+
+def _value(k: Known) -> tuple[str, str]:
+    """Value and unit as written, or as people read them."""
+    text, _, unit = k.source.entry.partition(" ")
+    if text:
+        return text, unit
+    if k.value.ndim:
+        return f"{k.value.size} values", k.unit
+    value, unit = shown(k.value, k.unit)
+    return number(value), unit
+
+
+def _rows(found: Check) -> list[list[object]]:
+    header = ["symbol", "name", "value", "unit", "given", "estimate", "source", "follows_from"]
+    rows: list[list[object]] = [list(header)]
+    for k in found.known:
+        given = not k.follows_from
+        origin = [k.source.estimate, k.source.text, " ".join(k.follows_from)]
+        rows.append([k.symbol, k.name, k.value.tolist(), k.unit, given, *origin])
+    return rows
+
+
+def _data(found: Check) -> dict[str, object]:
+    header, *rows = _rows(found)
+    return {
+        **options.about(found.aircraft),
+        "quantities": [dict(zip(map(str, header), row, strict=True)) for row in rows],
+        "missing": found.missing,
+        "warnings": found.warnings,
+        "notes": found.notes,
+    }

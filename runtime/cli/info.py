@@ -1,0 +1,73 @@
+"""``groundloop info``."""
+
+from __future__ import annotations
+
+import platform
+import warnings
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import click
+
+from . import options
+from .output import Output, emit, paragraph, table
+
+
+@click.command(name="info", epilog="Example: groundloop info --format json")
+@options.output
+def command(form: str, out: Path | None) -> None:
+    """Versions, packaged aircraft and tires, models, and whether the code is compiled."""
+    data = _data()
+    emit(Output(_text(data), _rows(data), data), form, out)
+
+
+def _data() -> dict[str, Any]:
+    from groundloop.aircraft_file import load, packaged_files
+    from groundloop.generated.names import DIGEST, MODELS
+
+    return {
+        "versions": {name: version(name) for name in ("groundloop", "casadi", "numpy")}
+        | {"python": platform.python_version()},
+        "equations": DIGEST,
+        "code": _code(),
+        "aircraft": {name: load(name).title for name in sorted(packaged_files())},
+        "tires": sorted(packaged_files(".csv")),
+        "models": {name: model._asdict() for name, model in MODELS.items()},
+    }
+
+
+def _code() -> str:
+    """Where the compiled functions are, or why there are none."""
+    from groundloop import generated
+
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        function = generated.load("linear_rhs")
+    if said:
+        return str(said[0].message)
+    return f"compiled ({function.class_name()})"
+
+
+def _text(data: dict[str, Any]) -> str:
+    versions = ", ".join(f"{name} {number}" for name, number in data["versions"].items())
+    models = [
+        [name, ", ".join(model["states"]), ", ".join(model["inputs"]), ", ".join(model["outputs"])]
+        for name, model in data["models"].items()
+    ]
+    return "\n\n".join(
+        (
+            f"{versions}\nequations {data['equations']}, {data['code']}",
+            "Aircraft\n" + table(["name", "title"], [[*row] for row in data["aircraft"].items()]),
+            "\n".join(["Tire tables", *map(paragraph, data["tires"])]),
+            "Models\n" + table(["tire", "states", "inputs", "outputs"], models),
+        )
+    )
+
+
+def _rows(data: dict[str, Any]) -> list[list[Any]]:
+    rows = [["version", *item] for item in data["versions"].items()]
+    rows += [["equations", "digest", data["equations"]], ["code", "", data["code"]]]
+    rows += [["aircraft", *item] for item in data["aircraft"].items()]
+    rows += [["tire", name, ""] for name in data["tires"]]
+    return [["kind", "name", "value"], *rows]

@@ -1,0 +1,117 @@
+"""``groundloop linearize``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from . import options
+from .output import Output, emit, number, table
+
+if TYPE_CHECKING:
+    from groundloop.linearization import Linearization
+
+_SCALARS = {
+    "decay_rate": "1/s",
+    "damping_ratio": "1",
+    "natural_frequency": "rad/s",
+    "damped_frequency": "rad/s",
+}
+
+
+@click.command(
+    name="linearize",
+    epilog="Example: groundloop linearize brott --v '0.4 m/s' --r '1 deg/s' --format json",
+)
+@options.aircraft
+@options.tire()
+@options.quantity("v", "m/s", "Lateral velocity at the operating point.", default=0.0)
+@options.quantity("r", "rad/s", "Yaw rate at the operating point.", default=0.0)
+@options.speed
+@options.disturbance
+@options.output
+def command(
+    plane: str,
+    changes: options.Changes,
+    tire: str,
+    v: float,
+    r: float,
+    speed: float | None,
+    disturbance: float,
+    form: str,
+    out: Path | None,
+) -> None:
+    """State-space matrices and modes at an operating point.
+
+    It need not be an equilibrium: the drift is (v_dot, r_dot) there.
+    """
+    from groundloop.linearization import OperatingPoint, linearize
+
+    point = OperatingPoint(v, r, disturbance)
+    lin = linearize(options.loaded(plane, changes), tire, point, speed=speed)
+    emit(Output(_text(lin), _rows(lin), _data(lin)), form, out)
+
+
+def _text(lin: Linearization) -> str:
+    verdict = "stable" if lin.decay_rate > 0 else "unstable"
+    head = (
+        f"{lin.aircraft.name}, {lin.tire} tire, {number(lin.aircraft['u'])} m/s,"
+        f" v = {number(lin.at.v)} m/s, r = {number(lin.at.r)} rad/s: {verdict}"
+    )
+    modes = [["eigenvalues", _pair(lin.eigenvalues), "1/s"]]
+    for name, unit in _SCALARS.items():
+        modes.append([name, number(getattr(lin, name)), "" if unit == "1" else unit])
+    parts = [head, table(["mode", "value", "unit"], modes)]
+    for name, rows, columns in _matrices(lin):
+        header = [name, *columns]
+        body = [
+            [row, *map(number, line)] for row, line in zip(rows, getattr(lin, name), strict=True)
+        ]
+        parts.append(table(header, body, right=range(1, len(header))))
+    parts.append(table(["drift", *lin.states], [["", *map(number, lin.drift)]], right=(1, 2)))
+    return "\n\n".join(parts)
+
+
+def _matrices(lin: Linearization) -> list[tuple[str, list[str], tuple[str, ...]]]:
+    rates = [f"{s}_dot" for s in lin.states]
+    return [
+        ("A", rates, lin.states),
+        ("B", rates, lin.inputs),
+        ("C", list(lin.outputs), lin.states),
+        ("D", list(lin.outputs), lin.inputs),
+    ]
+
+
+def _pair(eigenvalues: Any) -> str:
+    first, second = eigenvalues
+    if first.imag:
+        return f"{number(first.real)} ± {number(abs(first.imag))} i"
+    return f"{number(first.real)}, {number(second.real)}"
+
+
+def _rows(lin: Linearization) -> list[list[Any]]:
+    rows: list[list[Any]] = [["quantity", "row", "column", "value"]]
+    for name, heads, columns in _matrices(lin):
+        matrix = getattr(lin, name)
+        rows += [
+            [name, head, column, float(matrix[i, j])]
+            for i, head in enumerate(heads)
+            for j, column in enumerate(columns)
+        ]
+    rows += [
+        ["drift", f"{s}_dot", "", float(x)] for s, x in zip(lin.states, lin.drift, strict=True)
+    ]
+    for k, eigenvalue in enumerate(lin.eigenvalues, start=1):
+        rows += [["eigenvalue", k, "re", eigenvalue.real], ["eigenvalue", k, "im", eigenvalue.imag]]
+    return rows + [[name, "", "", float(getattr(lin, name))] for name in _SCALARS]
+
+
+def _data(lin: Linearization) -> dict[str, Any]:
+    names = ("states", "inputs", "outputs", "A", "B", "C", "D", "drift", "eigenvalues")
+    point = {"v": lin.at.v, "r": lin.at.r, "disturbance": lin.at.disturbance}
+    return {
+        **options.about(lin.aircraft, tire=lin.tire, speed=lin.aircraft["u"], at=point),
+        **{name: getattr(lin, name) for name in (*names, *_SCALARS)},
+    }

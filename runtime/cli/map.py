@@ -1,0 +1,114 @@
+"""``groundloop map``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+
+from . import options
+from .output import Output, emit, number, shown, table
+
+if TYPE_CHECKING:
+    from groundloop.maps import StabilityMap
+
+
+@click.command(
+    name="map",
+    epilog="Example: groundloop map brott-physical --x 'speed=10 km/h:250 km/h'"
+    " --y 'cg_station=13 in:20 in' --plot map.png",
+)
+@options.aircraft
+@click.option("--x", type=options.Range(), required=True, help="Parameter and range across.")
+@click.option("--y", type=options.Range(), required=True, help="Parameter and range upwards.")
+@click.option(
+    "--of",
+    default="decay_rate",
+    show_default=True,
+    help="What to map, e.g. damping_ratio, static_margin, upper_critical_speed.",
+)
+@options.output
+@options.picture
+def command(
+    plane: str,
+    changes: options.Changes,
+    x: options.Grid,
+    y: options.Grid,
+    of: str,
+    form: str,
+    out: Path | None,
+    plot: Path | None,
+    plotless: bool,
+) -> None:
+    """A margin of the linear model over any two parameters, with the boundary of stability.
+
+    A range is name=low:high or name=low:high:points, with units.
+    """
+    from groundloop.maps import stability_map
+
+    chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
+    emit(Output(_text(chart), _rows(chart), _data(chart)), form, out)
+    units = {grid.symbol: grid.unit for grid in (x, y) if grid.unit}
+    default = f"{chart.aircraft.name}-map"
+    options.draw(lambda: chart.plot(units=units).figure, default, form, plot, plotless)
+
+
+def _text(chart: StabilityMap) -> str:
+    axes = [_axis(s, values) for s, values in ((chart.x_name, chart.x), (chart.y_name, chart.y))]
+    head = f"{chart.aircraft.name}: {chart.of} over {axes[0]} and {axes[1]}"
+    share = np.count_nonzero(chart.stable) / chart.stable.size
+    parts = [head, f"{100 * share:.1f} % of {chart.values.size} points are stable"]
+    if np.isfinite(chart.values).any():
+        parts.append(_extremes(chart))
+    return "\n\n".join(parts)
+
+
+def _axis(symbol: str, values: Any) -> str:
+    from groundloop.generated.names import QUANTITIES
+
+    q = QUANTITIES[symbol]
+    low, unit = shown(values[0], q.unit)
+    return f"{q.name} from {number(low)} to {number(shown(values[-1], q.unit)[0])} {unit}".rstrip()
+
+
+def _extremes(chart: StabilityMap) -> str:
+    from groundloop.generated.names import QUANTITIES
+
+    axes = [(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
+    heads = [options.with_unit(s, shown(0.0, unit)[1] or "1") for s, unit in axes]
+    finite = np.where(np.isfinite(chart.values), chart.values, np.nan)
+    rows = []
+    for word, place in (("least", np.nanargmin(finite)), ("largest", np.nanargmax(finite))):
+        i, j = np.unravel_index(int(place), finite.shape)
+        at = [chart.x[j], chart.y[i]]
+        where = [number(shown(value, unit)[0]) for value, (_, unit) in zip(at, axes, strict=True)]
+        rows.append([word, number(finite[i, j]), *where])
+    header = ["", options.with_unit(chart.of, chart.unit), *heads]
+    return table(header, rows, right=(1, 2, 3))
+
+
+def _rows(chart: StabilityMap) -> list[list[Any]]:
+    from groundloop.generated.names import QUANTITIES
+
+    axes = [options.with_unit(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
+    rows: list[list[Any]] = [[*axes, options.with_unit(chart.of, chart.unit), "stable"]]
+    for i, y in enumerate(chart.y.tolist()):
+        for j, x in enumerate(chart.x.tolist()):
+            rows.append([x, y, float(chart.values[i, j]), bool(chart.stable[i, j])])
+    return rows
+
+
+def _data(chart: StabilityMap) -> dict[str, Any]:
+    return {
+        **options.about(chart.aircraft),
+        "of": chart.of,
+        "unit": chart.unit,
+        "x_name": chart.x_name,
+        "y_name": chart.y_name,
+        "x": chart.x,
+        "y": chart.y,
+        "values": chart.values,
+        "stable": chart.stable,
+    }

@@ -1,0 +1,37 @@
+"""``groundloop new``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from .options import AircraftName
+from .output import say, write
+
+
+@click.command(name="new", epilog="Example: groundloop new my-plane.toml --force")
+@click.argument("file", type=click.Path(dir_okay=False, path_type=Path))
+@click.option("--like", type=AircraftName(), help="Begin with a copy of this aircraft instead.")
+@click.option("--force", is_flag=True, help="Overwrite the file if there is one.")
+def command(file: Path, like: str | None, force: bool) -> None:
+    """Write an aircraft file to fill in: every key with its unit and meaning.
+
+    Fill in what you know and ask `groundloop check` what is missing.
+    """
+    if file.suffix != ".toml":
+        raise click.BadParameter(f"found {file.name!r}; expected a name ending in .toml")
+    if file.exists() and not force:
+        raise click.BadParameter(f"{file} exists; --force overwrites it")
+    write(file, _content(file, like))
+    say(f"wrote {file}; fill it in, then: groundloop check {file}")
+
+
+def _content(file: Path, like: str | None) -> str:
+    if like is None:
+        from groundloop.template import template
+
+        return template(file.stem, file.name)
+    from groundloop.aircraft_file import locate
+
+    return locate(like).read_text(encoding="utf-8-sig")

@@ -1,0 +1,246 @@
+"""Options that commands share: the same words, each defined once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+from click.shell_completion import CompletionItem
+
+from .output import FORMATS
+
+if TYPE_CHECKING:
+    from groundloop.aircraft import Aircraft
+
+    ParamType = click.ParamType[Any]
+else:
+    ParamType = click.ParamType  # generic for type checkers only, before click 8.5
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+#: What --set gives: names and values as written, None for a parameter that is to follow.
+Changes = tuple[tuple[str, str | None], ...]
+
+#: Points along an axis of a map if the range names no number.
+_POINTS = 201
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A parameter and its values along an axis.
+
+    Attributes
+    ----------
+    symbol : str
+        The parameter.
+    values : tuple of str and array
+        Symbol and values in the SI unit, as `groundloop.stability_map` takes them.
+    unit : str
+        Unit that the range was given in; empty for the SI unit.
+    """
+
+    symbol: str
+    values: tuple[str, Any]
+    unit: str
+
+
+class Quantity(ParamType):
+    """A number with a unit, e.g. ``100 km/h``; a bare one is in the SI unit."""
+
+    def __init__(self, unit: str) -> None:
+        self.name = "quantity"
+        self.unit = unit
+
+    def convert(self, value: Any, param: Any, ctx: Any) -> float:
+        from groundloop.units import UnitError, to_si
+
+        if not isinstance(value, str):
+            return float(value)
+        try:
+            return to_si(value, self.unit, "value")
+        except UnitError as problem:
+            self.fail(f"found {problem.found}; expected {problem.expected}", param, ctx)
+
+
+class Range(ParamType):
+    """``name=low:high`` or ``name=low:high:points``, with units."""
+
+    name = "name=low:high[:points]"
+
+    def convert(self, value: Any, param: Any, ctx: Any) -> Grid:
+        import numpy as np
+
+        from groundloop.aircraft import in_si, parameter_symbols
+        from groundloop.errors import GroundloopError
+        from groundloop.names import symbol
+
+        if isinstance(value, Grid):
+            return value
+        name, _, text = str(value).partition("=")
+        low, _, rest = text.partition(":")
+        high, _, points = rest.partition(":")
+        if not (name and low and high):
+            self.fail(f"found {value!r}; expected name=low:high, such as a=-1 m:1 m", param, ctx)
+        try:
+            key = symbol(name.strip(), "parameter", parameter_symbols())
+            ends = [float(in_si(end, key, name)) for end in (low, high)]
+            count = int(points or _POINTS)
+        except (GroundloopError, ValueError) as problem:
+            self.fail(str(problem), param, ctx)
+        if not (ends[0] < ends[1] and count >= 2):
+            self.fail(f"found {value!r}; expected low < high and 2 or more points", param, ctx)
+        unit = low.strip().lstrip("+-0123456789.eE").strip()
+        return Grid(key, (key, np.linspace(ends[0], ends[1], count)), unit)
+
+    def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
+        return Assignment().shell_complete(ctx, param, incomplete)
+
+
+class AircraftName(ParamType):
+    """A packaged aircraft by name, or an aircraft file."""
+
+    name = "aircraft"
+
+    def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
+        from groundloop.aircraft import packaged
+
+        names = [CompletionItem(n) for n in packaged() if n.startswith(incomplete)]
+        return [*names, CompletionItem(incomplete, type="file")]
+
+
+class Assignment(ParamType):
+    """``name=value``, the value with a unit; an empty value lets the parameter follow."""
+
+    name = "name=value"
+
+    def convert(self, value: Any, param: Any, ctx: Any) -> tuple[str, str | None]:
+        name, equals, text = str(value).partition("=")
+        if not equals:
+            self.fail(f"found {value!r}; expected name=value, such as mass='1650 lb'", param, ctx)
+        return name.strip(), text.strip() or None
+
+    def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
+        from groundloop.aircraft import parameter_symbols
+        from groundloop.generated.names import QUANTITIES
+
+        names = [QUANTITIES[s].name for s in parameter_symbols()]
+        return [CompletionItem(f"{n}=") for n in names if n.startswith(incomplete)]
+
+
+def aircraft(command: F) -> F:
+    """AIRCRAFT and --set; the command gets `plane`, an `Aircraft`."""
+    command = click.option(
+        "--set",
+        "changes",
+        type=Assignment(),
+        multiple=True,
+        help="Change a parameter, e.g. --set cg_station='16 in'; may be repeated. Without a"
+        " value (--set Ct=) the parameter follows from others.",
+    )(command)
+    return click.argument("plane", type=AircraftName(), metavar="AIRCRAFT")(command)
+
+
+def loaded(name: str, changes: Changes) -> Aircraft:
+    """The aircraft that AIRCRAFT and --set describe."""
+    from groundloop.aircraft import Aircraft
+    from groundloop.errors import GroundloopError
+
+    plane = Aircraft.load(name)
+    for parameter, value in changes:
+        try:
+            plane = plane.replace(**{parameter: value})
+        except GroundloopError as problem:
+            raise click.BadParameter(str(problem), param_hint="--set") from problem
+    return plane
+
+
+def tire(default: str = "nonlinear") -> Callable[[F], F]:
+    """--tire."""
+    return click.option(
+        "--tire",
+        type=click.Choice(["linear", "nonlinear"]),
+        default=default,
+        show_default=True,
+        help="Model of the main tires.",
+    )
+
+
+def quantity(name: str, unit: str, text: str, **settings: Any) -> Callable[[F], F]:
+    """An option with a unit; the command gets it under its own name, upper case or lower."""
+    words = f"{text} A bare number is in {unit}."
+    return click.option(f"--{name}", name, type=Quantity(unit), help=words, **settings)
+
+
+def speed(command: F) -> F:
+    """--speed."""
+    return quantity("speed", "m/s", "Forward speed; default the aircraft's own.")(command)
+
+
+def disturbance(command: F) -> F:
+    """--disturbance."""
+    text = "Side force on the vertical tail, to the right."
+    return quantity("disturbance", "N", text, default=0.0)(command)
+
+
+def output(command: F) -> F:
+    """--format and --out."""
+    command = click.option(
+        "--out",
+        type=click.Path(dir_okay=False, path_type=Path),
+        help="File to write the result to instead of stdout.",
+    )(command)
+    return click.option(
+        "--format",
+        "form",
+        type=click.Choice(FORMATS),
+        default="table",
+        show_default=True,
+        help="For people, a spreadsheet or a program. The latter two are in SI units with radians.",
+    )(command)
+
+
+def picture(command: F) -> F:
+    """--plot and --no-plot."""
+    command = click.option("--no-plot", "plotless", is_flag=True, help="Write no picture.")(command)
+    return click.option(
+        "--plot",
+        type=click.Path(dir_okay=False, path_type=Path),
+        help="File for the picture, its suffix the kind (png, svg, pdf). Default: a PNG in this"
+        " folder, if the format is table.",
+    )(command)
+
+
+def draw(
+    figure: Callable[[], Any], default: str, form: str, plot: Path | None, plotless: bool
+) -> None:
+    """Draw and save a picture where one is wanted, and say where it is."""
+    if plotless or (plot is None and form != "table"):
+        return
+    import matplotlib as mpl
+
+    from groundloop.errors import GroundloopError
+
+    from .output import say
+
+    mpl.use("Agg")
+    path = plot or Path(f"{default}.png")
+    try:
+        figure().savefig(path)
+    except (OSError, ValueError) as problem:
+        raise GroundloopError(f"cannot write the picture {path}: {problem}") from problem
+    say(f"wrote {path}")
+
+
+def with_unit(name: str, unit: str) -> str:
+    """Head of a column."""
+    return name if unit == "1" else f"{name} [{unit}]"
+
+
+def about(plane: Aircraft, **more: Any) -> Mapping[str, Any]:
+    """What identifies a result: version, aircraft and settings."""
+    from importlib.metadata import version
+
+    return {"groundloop": version("groundloop"), "aircraft": plane.name, **more}

@@ -1,0 +1,147 @@
+"""What a command has found, for people or for programs."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import shutil
+import sys
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+FORMATS = ("table", "csv", "json")
+
+#: Beyond this width a line is hard to read; narrower terminals wrap the last column.
+_WIDEST = 120
+
+
+@dataclass(frozen=True)
+class Output:
+    """One result in three forms.
+
+    Attributes
+    ----------
+    text : str
+        For people.
+    rows : sequence of sequences
+        For a spreadsheet; the first row is the header.
+    data : mapping
+        For programs, SI units with radians.
+    """
+
+    text: str
+    rows: Sequence[Sequence[Any]]
+    data: Mapping[str, Any]
+
+
+def emit(output: Output, form: str, out: Path | None) -> None:
+    """Write an output in a format to a file, or to stdout."""
+    content = {"table": _text, "csv": _csv, "json": _json}[form](output)
+    if out is None:
+        click.echo(content, nl=False)
+        return
+    write(out, content)
+    say(f"wrote {out}")
+
+
+def write(path: Path, content: str) -> None:
+    """Write a text file, or say why not."""
+    from groundloop.errors import GroundloopError
+
+    try:
+        path.write_text(content, encoding="utf-8", newline="")
+    except OSError as problem:
+        raise GroundloopError(f"cannot write {path}: {problem.strerror}") from problem
+
+
+def say(message: str) -> None:
+    """Tell people something on stderr; stdout is for results."""
+    click.echo(message, err=True)
+
+
+def table(header: Sequence[str], rows: Sequence[Sequence[str]], right: Sequence[int] = ()) -> str:
+    """Aligned columns, those in `right` to the right; on a terminal the last one is wrapped."""
+    cells = [list(header), *(list(row) for row in rows)]
+    widths = [max(len(row[k]) for row in cells) for k in range(len(header))]
+    before = sum(widths[:-1]) + 2 * len(widths[:-1]) + 2
+    room = max(_width() - before, 20)
+    lines = []
+    for row in cells:
+        parts = [
+            cell.rjust(width) if k in right else cell.ljust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ]
+        first, *rest = textwrap.wrap(row[-1], room, break_long_words=False) or [""]
+        last = first if len(header) - 1 not in right else parts[-1]
+        lines.append(("  " + "  ".join([*parts[:-1], last])).rstrip())
+        lines += [" " * before + line for line in rest]
+    return "\n".join(lines)
+
+
+def paragraph(text: str) -> str:
+    """A text wrapped to the terminal, as an item of a list."""
+    return textwrap.fill(
+        text, _width(), initial_indent="  - ", subsequent_indent="    ", break_long_words=False
+    )
+
+
+def number(value: Any, digits: int = 5) -> str:
+    """A number in few digits; what is not a number or without end in words."""
+    x = float(value)
+    if math.isnan(x):
+        return "none"
+    if math.isinf(x):
+        return "infinite" if x > 0 else "-infinite"
+    return f"{0.0 if x == 0 else x:.{digits}g}"
+
+
+def shown(value: Any, unit: str) -> tuple[float, str]:
+    """A value with its unit as people read it: degrees for radians, nothing for a pure number."""
+    from groundloop.units import from_si
+
+    wanted = unit.replace("rad", "deg")
+    factor = 1.0 if wanted == unit else from_si(1.0, unit, wanted)
+    return float(value) * factor, "" if unit == "1" else wanted
+
+
+def _width() -> int:
+    """Columns to write to: of the terminal, or without one as many as it takes."""
+    if not sys.stdout.isatty():
+        return 10_000
+    return min(shutil.get_terminal_size().columns, _WIDEST)
+
+
+def _text(output: Output) -> str:
+    return output.text.rstrip("\n") + "\n"
+
+
+def _csv(output: Output) -> str:
+    buffer = io.StringIO()
+    csv.writer(buffer, lineterminator="\n").writerows(output.rows)
+    return buffer.getvalue()
+
+
+def _json(output: Output) -> str:
+    return json.dumps(plain(output.data), indent=2, allow_nan=False, ensure_ascii=False) + "\n"
+
+
+def plain(value: Any) -> Any:
+    """What JSON can hold: arrays as lists, complex numbers as [re, im], no number as null."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    if hasattr(value, "tolist"):
+        return plain(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    if isinstance(value, complex):
+        return [plain(value.real), plain(value.imag)]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

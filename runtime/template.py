@@ -1,0 +1,81 @@
+"""A commented aircraft file to fill in, written from the table of quantities."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from .aircraft import FOLLOWS, parameter_symbols
+from .generated.names import QUANTITIES
+
+#: Sections of an aircraft file: what goes in, and what to know about it.
+_SECTIONS = {
+    "airframe": (("m", "Izz", "Ap", "CL_gamma"), ""),
+    "stations": (
+        ("x_cg", "x_forward", "x_aft", "x_main", "x_tail", "x_nose", "h_cg"),
+        "Behind any one datum, as on a weight-and-balance sheet; negative is ahead of it.\n"
+        "A tricycle has its main gear behind the CG and no tail wheel: tail_wheel_stiffness = 0\n"
+        "and tail_wheel_load = 0. It needs its main_gear_weight_fraction, the share of the weight\n"
+        "that the nose wheel does not carry.",
+    ),
+    "main_tires": (
+        ("B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1", "C_alpha"),
+        "By measured forces (a CSV file beside this one, or a packaged one such as\n"
+        "goodyear-6.00-6.csv), or by parameters, or, if the linear tire will do, by stiffness.",
+    ),
+    "tail_wheel": (
+        ("Ct", "K1", "K2", "K3", "K4"),
+        "Stiffness, or the coefficients K of a polynomial from which it follows with the load.",
+    ),
+    "runway": (("u", "u_lift", "rho", "g"), ""),
+}
+
+_REST = "follows"
+_REST_TEXT = "What follows from the rest. Give it only if the rest is not known, or to override it."
+
+_HEAD = """\
+# {name}: an aircraft file of groundloop.
+#
+# Take the # away from the lines that you know. A value is a number with a unit of your choice,
+#     mass = "1650 lb"
+# or with where it comes from, and whether it is only an estimate:
+#     mass = {{ value = "1650 lb", source = "weighing of 3 May", estimate = false }}
+# A bare number is in the unit named in the comment. Then: groundloop check {file}
+
+title = "{name}"
+description = \"\"\"
+\"\"\"
+source = "" # the document that most numbers are from
+"""
+
+
+def template(name: str, file: str) -> str:
+    """The text of an aircraft file with every key commented out.
+
+    Parameters
+    ----------
+    name : str
+        Name of the aircraft.
+    file : str
+        Name of the file, for its instructions.
+    """
+    placed = {s for symbols, _ in _SECTIONS.values() for s in symbols}
+    rest = [s for s in parameter_symbols() if s not in placed]
+    parts = [_HEAD.format(name=name, file=file)]
+    parts += [_section(title, symbols, text) for title, (symbols, text) in _SECTIONS.items()]
+    return "\n".join([*parts, _section(_REST, rest, _REST_TEXT)])
+
+
+def _section(title: str, symbols: Iterable[str], text: str) -> str:
+    lines = [f"[{title}]", *(f"# {line}" for line in text.splitlines())]
+    if title == "main_tires":
+        lines.append(_line("table", "?.csv", "measured forces"))
+    for s in filter(parameter_symbols().__contains__, symbols):
+        q = QUANTITIES[s]
+        value = "?" if q.unit == "1" else f"? {q.unit}"
+        also = "; follows if not given" if s in FOLLOWS and title != _REST else ""
+        lines.append(_line(q.name, value, f"{q.meaning}{also}"))
+    return "\n".join(lines) + "\n"
+
+
+def _line(key: str, value: str, meaning: str) -> str:
+    return f'#{key} = {{ value = "{value}", source = "" }} # {meaning}'
