@@ -446,6 +446,8 @@ def test_report_holds_everything(done):
     assert sum(tag == "svg" for tag, _ in page.tags) == len(FIGURES)
     assert text.count('<td class="value') == 373
     assert DIGEST in text
+    assert '(<a href="#erratum-3">erratum 3</a>)' in text
+    assert "&lt;" not in text
     assert str(done[0].folder) not in text
 
 

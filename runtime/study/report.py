@@ -94,7 +94,9 @@ def symbol(label: str) -> Markup:
 
 def linked(text: str) -> Markup:
     """A text in which each "erratum 3" leads to the erratum."""
-    return Markup(re.sub(r"erratum (\d+)", r'<a href="#erratum-\1">erratum \1</a>', escape(text)))
+    return Markup(
+        re.sub(r"erratum (\d+)", r'<a href="#erratum-\1">erratum \1</a>', str(escape(text)))
+    )
 
 
 def markdown(cells: Sequence[Cell]) -> str:
