@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .linearization import Linearization, OperatingPoint, linearize
     from .maps import StabilityMap, stability_map
     from .metrics import Metrics
+    from .placement import Envelope, InfeasibleError, Limits, Placement, place_gear
     from .records import load_run
     from .runway import animate, runway_view
     from .sensitivities import Sensitivities
@@ -43,13 +44,17 @@ if TYPE_CHECKING:
 _HOME = {
     "Aircraft": "aircraft",
     "Check": "checking",
+    "Envelope": "placement",
     "GearEnvelope": "stability",
     "GearLimit": "stability",
     "GroundloopError": "errors",
+    "InfeasibleError": "placement",
+    "Limits": "placement",
     "Linearization": "linearization",
     "Margins": "stability",
     "Metrics": "metrics",
     "OperatingPoint": "linearization",
+    "Placement": "placement",
     "Sensitivities": "sensitivities",
     "SpeedWindow": "stability",
     "StabilityMap": "maps",
@@ -65,6 +70,7 @@ _HOME = {
     "linearize": "linearization",
     "load_run": "records",
     "margins": "stability",
+    "place_gear": "placement",
     "runway_view": "runway",
     "simulate": "simulation",
     "speed_window": "stability",
@@ -78,13 +84,17 @@ _MODULES = ("gusts",)
 __all__ = [
     "Aircraft",
     "Check",
+    "Envelope",
     "GearEnvelope",
     "GearLimit",
     "GroundloopError",
+    "InfeasibleError",
+    "Limits",
     "Linearization",
     "Margins",
     "Metrics",
     "OperatingPoint",
+    "Placement",
     "Sensitivities",
     "SpeedWindow",
     "StabilityMap",
@@ -101,6 +111,7 @@ __all__ = [
     "linearize",
     "load_run",
     "margins",
+    "place_gear",
     "runway_view",
     "simulate",
     "speed_window",
