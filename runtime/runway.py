@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -20,6 +17,7 @@ from matplotlib.transforms import Affine2D
 
 from .arrays import FloatArray, finite
 from .errors import GroundloopError, unknown
+from .files import complete
 from .generated.names import QUANTITIES
 from .plots import COLOURS, INK, MUTED, style
 from .simulation import Trajectory
@@ -207,9 +205,9 @@ def animate(
                 passing.extend(_moment(axes, roll, times[frame]))
             return passing
 
-        with _complete(target) as draft:
+        with complete(target) as draft:
             film = FuncAnimation(figure, draw, frames=len(times), init_func=list)
-            film.save(draft, writer=writer, dpi=dpi, progress_callback=progress)  # type: ignore[arg-type]
+            film.save(draft, writer=writer, dpi=dpi, progress_callback=progress)
     return target
 
 
@@ -419,16 +417,3 @@ def _writer(path: Path, fps: int) -> Any:
     if not writer.isAvailable():
         raise GroundloopError(f"{path}: an .mp4 needs ffmpeg, which is not installed; .gif works")
     return writer(fps=fps)
-
-
-@contextmanager
-def _complete(path: Path) -> Iterator[Path]:
-    """A file to write to that becomes `path` when all went well."""
-    try:
-        folder = tempfile.TemporaryDirectory(dir=path.parent, prefix=".film-")
-    except OSError as problem:
-        raise GroundloopError(f"cannot write {path}: {problem.strerror}") from problem
-    with folder as name:
-        draft = Path(name) / path.name
-        yield draft
-        os.replace(draft, path)

@@ -19,6 +19,10 @@ from .integration import integrate, integrate_varying
 from .names import signature, symbol
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
+    import pandas
+    import xarray
     from matplotlib.figure import Figure
 
     from .metrics import Metrics
@@ -70,6 +74,29 @@ class Trajectory:
         from .plots import time_history
 
         return time_history(self, names)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """States, outputs and input as a Dataset; see `groundloop.tables.run_to_xarray`."""
+        from .tables import run_to_xarray
+
+        return run_to_xarray(self)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """States, outputs and input as a DataFrame; see `groundloop.tables.run_to_pandas`."""
+        from .tables import run_to_pandas
+
+        return run_to_pandas(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write to an npz file with parameters and provenance; `groundloop.load_run` reads it."""
+        from .records import save_run
+
+        return save_run(self, path)
+
+    def _repr_html_(self) -> str:
+        from .tables import run_to_html
+
+        return run_to_html(self)
 
     def __repr__(self) -> str:
         shape = self["v"].shape[:-1]

@@ -178,7 +178,7 @@ def test_a_wind_is_the_force_it_makes_on_the_tail(plane: gl.Aircraft) -> None:
     [
         (lambda: gusts.one_minus_cosine(np.nan), "peak must be finite"),
         (lambda: gusts.one_minus_cosine(1.0, length=0.0), "length must be positive"),
-        (lambda: gusts.one_minus_cosine("3 m"), "peak: 'm' does not measure what N measures"),
+        (lambda: gusts.one_minus_cosine("3 m"), "peak: .*3 m"),
         (lambda: gusts.step(1.0, 2.0, 1.0), "end must come after start, not 1.0 after 2.0"),
         (lambda: gusts.sampled([0.0, 0.0], [1.0, 2.0]), "increasing times"),
         (lambda: gusts.sampled([0.0, 1.0], [1.0, 2.0, 3.0]), "one sample for each of 2 times"),
