@@ -24,6 +24,15 @@ if TYPE_CHECKING:
     from .metrics import Metrics
     from .placement import Envelope, InfeasibleError, Limits, Placement, place_gear
     from .records import load_run
+    from .response import (
+        FrequencyResponse,
+        RootLocus,
+        StepResponse,
+        frequency_response,
+        root_locus,
+        step_response,
+    )
+    from .response_plot import pole_map
     from .runway import animate, runway_view
     from .sensitivities import Sensitivities
     from .simulation import Trajectory, simulate
@@ -45,6 +54,7 @@ _HOME = {
     "Aircraft": "aircraft",
     "Check": "checking",
     "Envelope": "placement",
+    "FrequencyResponse": "response",
     "GearEnvelope": "stability",
     "GearLimit": "stability",
     "GroundloopError": "errors",
@@ -55,15 +65,18 @@ _HOME = {
     "Metrics": "metrics",
     "OperatingPoint": "linearization",
     "Placement": "placement",
+    "RootLocus": "response",
     "Sensitivities": "sensitivities",
     "SpeedWindow": "stability",
     "StabilityMap": "maps",
+    "StepResponse": "response",
     "TireData": "tire_fit",
     "Trajectory": "simulation",
     "Trim": "trimming",
     "animate": "runway",
     "check": "checking",
     "fit_tire": "tire_fit",
+    "frequency_response": "response",
     "gear_envelope": "stability",
     "gear_limit": "stability",
     "integrator": "integration",
@@ -71,10 +84,13 @@ _HOME = {
     "load_run": "records",
     "margins": "stability",
     "place_gear": "placement",
+    "pole_map": "response_plot",
+    "root_locus": "response",
     "runway_view": "runway",
     "simulate": "simulation",
     "speed_window": "stability",
     "stability_map": "maps",
+    "step_response": "response",
     "trim": "trimming",
 }
 
@@ -85,6 +101,7 @@ __all__ = [
     "Aircraft",
     "Check",
     "Envelope",
+    "FrequencyResponse",
     "GearEnvelope",
     "GearLimit",
     "GroundloopError",
@@ -95,15 +112,18 @@ __all__ = [
     "Metrics",
     "OperatingPoint",
     "Placement",
+    "RootLocus",
     "Sensitivities",
     "SpeedWindow",
     "StabilityMap",
+    "StepResponse",
     "TireData",
     "Trajectory",
     "Trim",
     "animate",
     "check",
     "fit_tire",
+    "frequency_response",
     "gear_envelope",
     "gear_limit",
     "gusts",
@@ -112,10 +132,13 @@ __all__ = [
     "load_run",
     "margins",
     "place_gear",
+    "pole_map",
+    "root_locus",
     "runway_view",
     "simulate",
     "speed_window",
     "stability_map",
+    "step_response",
     "trim",
 ]
 

@@ -57,6 +57,8 @@ def draw(
             _, ax = pyplot.subplots(figsize=(6.6, 4.4))
         x, y = shown.of(chart.x_name, chart.x), shown.of(chart.y_name, chart.y)
         ax.grid(visible=False)
+        ax.set_xlim(x[0], x[-1])
+        ax.set_ylim(y[0], y[-1])
         _fill(ax, chart, x, y, shown, levels)
         handles = [
             *_shade_unstable(ax, chart, x, y),
@@ -115,8 +117,6 @@ def _fill(
     inside = chosen[(chosen > finite_values.min()) & (chosen < finite_values.max())]
     if inside.size:
         lines = ax.contour(x, y, finite_values, levels=inside, colors=INK, linewidths=0.6)
-        ax.set_xlim(x[0], x[-1])
-        ax.set_ylim(y[0], y[-1])
         for text in ax.clabel(lines, fontsize=7.5, fmt="%g", colors=INK):
             text.set_path_effects(_HALO)
             place = ax.transAxes.inverted().transform(ax.transData.transform(text.get_position()))
