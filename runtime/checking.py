@@ -22,8 +22,12 @@ from .names import symbol
 from .stability import speed_window
 from .units import to_si
 
-#: Results of `placement_limits` that describe an aircraft at rest.
-_LIMITS = ("third_load", "nose_over", "tip_back")
+#: Results of `placement_limits` that describe an aircraft at rest: of which gear, from what.
+_LIMITS = {
+    "third_load": (("taildragger", "tricycle"), ("x_main", "x_third", "x_cg")),
+    "nose_over": (("taildragger",), ("x_main", "x_cg", "h_cg")),
+    "tip_back": (("tricycle",), ("x_main", "x_cg", "h_cg")),
+}
 
 #: From how large a relative difference on a note says that a value overrides what would follow.
 _OVERRIDES = 0.01
@@ -40,7 +44,7 @@ class Known:
     value : ndarray
         In that unit.
     follows_from : tuple of str
-        Names of what it follows from; empty if it is given.
+        Symbols of what it follows from; empty if it is given.
     source : Source
         Where it comes from if it is given.
     """
@@ -123,22 +127,23 @@ def _parameters(plane: Aircraft) -> Iterator[Known]:
         if s in plane.given:
             yield Known(s, q.name, q.unit, plane[s], source=plane.sources.get(s, Source()))
         else:
-            needed = tuple(QUANTITIES[n].name for n in build(f"{s}_follows").name_in())
-            yield Known(s, q.name, q.unit, plane[s], needed)
+            yield Known(s, q.name, q.unit, plane[s], tuple(build(f"{s}_follows").name_in()))
 
 
 def _limits(plane: Aircraft) -> Iterator[Known]:
-    """Share of weight on the third wheel and angles at the main gear, as far as they follow."""
-    third = "x_nose" if "x_nose" in plane else "x_tail"
-    wanted = {"x_main": "x_main", "x_third": third, "x_cg": "x_cg", "h_cg": "h_cg"}
-    arguments = {slot: plane[s] if s in plane else np.asarray(np.nan) for slot, s in wanted.items()}
-    needed = tuple(QUANTITIES[s].name for s in wanted.values() if s in plane)
-    if third == "x_tail" and _gear(plane) == "tricycle":
-        arguments["x_third"] = np.asarray(np.nan)
-    results = elementwise("placement_limits", arguments)
-    for s in _LIMITS:
-        if np.isfinite(results[s]).all():
-            yield Known(s, QUANTITIES[s].name, QUANTITIES[s].unit, results[s], needed)
+    """Share of weight on the third wheel and the angle at the main gear, as far as they follow."""
+    gear = _gear(plane)
+    stations = {"x_third": "x_nose" if gear == "tricycle" else "x_tail"}
+    slots = {slot: stations.get(slot, slot) for slot in build("placement_limits").name_in()}
+    unknown = np.asarray(np.nan)
+    results = elementwise(
+        "placement_limits", {slot: plane[s] if s in plane else unknown for slot, s in slots.items()}
+    )
+    for s, (gears, needed) in _LIMITS.items():
+        symbols = [slots[slot] for slot in needed]
+        if gear in gears and all(n in plane for n in symbols):
+            q = QUANTITIES[s]
+            yield Known(s, q.name, q.unit, results[s], tuple(symbols))
 
 
 def _gear(plane: Aircraft) -> str:

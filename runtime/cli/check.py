@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 import click
 
 from . import options
-from .output import Output, emit, number, paragraph, shown, table
+from .output import Output, emit, filled, number, paragraph, shown, table
+from .progress import patience
 
 if TYPE_CHECKING:
     from groundloop.checking import Check, Known
 
 
-@click.command(name="check", epilog="Example: groundloop check cessna-170")
+@click.command(name="check", epilog=options.example("groundloop check cessna-170"))
 @options.aircraft
 @click.option("--strict", is_flag=True, help="Exit with 1 if there are warnings.")
 @options.output
@@ -32,7 +33,8 @@ def command(
     """
     from groundloop.checking import check
 
-    found = check(options.loaded(plane, changes))
+    with patience():
+        found = check(options.loaded(plane, changes))
     emit(Output(_text(found), _rows(found), _data(found)), form, out)
     if all(found.missing.values()) or (strict and found.warnings):
         raise click.exceptions.Exit(1)
@@ -41,14 +43,21 @@ def command(
 def _text(found: Check) -> str:
     plane = found.aircraft
     parts = [f"{plane.name}: {plane.title}"]
-    parts += [plane.description] if plane.description else []
-    parts += [f"Source: {plane.source}"] if plane.source else []
+    parts += [filled(plane.description)] if plane.description else []
+    parts += [filled(f"Source: {plane.source}")] if plane.source else []
     given = [k for k in found.known if not k.follows_from]
     follows = [k for k in found.known if k.follows_from]
+    cited = list(dict.fromkeys(k.source.text for k in given if k.source.text))
+    notes = {text: f"[{n}]" for n, text in enumerate(cited, start=1)}
     if given:
-        parts.append("Given (~ is an estimate)\n" + _table(given, "source"))
+        marks = [notes.get(k.source.text, "") for k in given]
+        parts.append("Given (~ is an estimate)\n" + _table(given, "source", marks))
+    if notes:
+        listed = "\n".join(paragraph(text, note) for text, note in notes.items())
+        parts.append(f"Sources\n{listed}")
     if follows:
-        parts.append("Follows\n" + _table(follows, "from"))
+        origins = [", ".join(k.follows_from) for k in follows]
+        parts.append("Follows\n" + _table(follows, "from", origins))
     for title, texts in (
         *_missing(found),
         ("Look twice", found.warnings),
@@ -68,14 +77,12 @@ def _missing(found: Check) -> Iterator[tuple[str, tuple[str, ...]]]:
         yield f"Missing for the {tire} tire", tuple(t for t in missing if t not in every)
 
 
-def _table(known: list[Known], last: str) -> str:
+def _table(known: list[Known], last: str, origins: list[str]) -> str:
     rows = []
-    for k in known:
+    for k, origin in zip(known, origins, strict=True):
         mark = "~" if k.source.estimate else ""
         value, unit = _value(k)
-        rows.append(
-            [k.name, k.symbol, mark + value, unit, k.source.text or ", ".join(k.follows_from)]
-        )
+        rows.append([k.name, k.symbol, mark + value, unit, origin])
     return table(["quantity", "symbol", "value", "unit", last], rows, right=(2,))
 
 

@@ -10,6 +10,7 @@ from click.shell_completion import CompletionItem
 
 from . import options
 from .output import Output, emit, number, shown, table
+from .progress import patience
 
 if TYPE_CHECKING:
     from groundloop.tire_fit import TireFit
@@ -27,7 +28,9 @@ class _TireData(options.ParamType):
         return [*map(CompletionItem, names), CompletionItem(incomplete, type="file")]
 
 
-@click.command(name="fit-tire", epilog="Example: groundloop fit-tire goodyear-6.00-6 --format csv")
+@click.command(
+    name="fit-tire", epilog=options.example("groundloop fit-tire goodyear-6.00-6 --format csv")
+)
 @click.argument("data", type=_TireData(), default="goodyear-6.00-6")
 @options.output
 def command(data: str, form: str, out: Path | None) -> None:
@@ -37,7 +40,8 @@ def command(data: str, form: str, out: Path | None) -> None:
     """
     from groundloop.tire_fit import fit_tire
 
-    fit = fit_tire(data)
+    with patience():
+        fit = fit_tire(data)
     emit(Output(_text(fit), _rows(fit), _data(fit)), form, out)
 
 

@@ -14,7 +14,7 @@ from . import options
 from .output import Output, emit, paragraph, table
 
 
-@click.command(name="info", epilog="Example: groundloop info --format json")
+@click.command(name="info", epilog=options.example("groundloop info --format json"))
 @options.output
 def command(form: str, out: Path | None) -> None:
     """Versions, packaged aircraft and tires, models, and whether the code is compiled."""

@@ -9,6 +9,7 @@ import click
 
 from . import options
 from .output import Output, emit, number, table
+from .progress import patience
 
 if TYPE_CHECKING:
     from groundloop.linearization import Linearization
@@ -23,7 +24,7 @@ _SCALARS = {
 
 @click.command(
     name="linearize",
-    epilog="Example: groundloop linearize brott --v '0.4 m/s' --r '1 deg/s' --format json",
+    epilog=options.example("groundloop linearize brott --v '0.4 m/s' --r '1 deg/s' --format json"),
 )
 @options.aircraft
 @options.tire()
@@ -50,7 +51,8 @@ def command(
     from groundloop.linearization import OperatingPoint, linearize
 
     point = OperatingPoint(v, r, disturbance)
-    lin = linearize(options.loaded(plane, changes), tire, point, speed=speed)
+    with patience():
+        lin = linearize(options.loaded(plane, changes), tire, point, speed=speed)
     emit(Output(_text(lin), _rows(lin), _data(lin)), form, out)
 
 

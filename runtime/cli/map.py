@@ -9,7 +9,8 @@ import click
 import numpy as np
 
 from . import options
-from .output import Output, emit, number, shown, table
+from .output import Output, emit, filled, number, shown, table
+from .progress import patience
 
 if TYPE_CHECKING:
     from groundloop.maps import StabilityMap
@@ -17,8 +18,9 @@ if TYPE_CHECKING:
 
 @click.command(
     name="map",
-    epilog="Example: groundloop map brott-physical --x 'speed=10 km/h:250 km/h'"
-    " --y 'cg_station=13 in:20 in' --plot map.png",
+    epilog=options.example(
+        "groundloop map cessna-170 --x 'speed=10 kt:60 kt' --y 'main_gear_station=0 in:40 in'"
+    ),
 )
 @options.aircraft
 @click.option("--x", type=options.Range(), required=True, help="Parameter and range across.")
@@ -48,7 +50,8 @@ def command(
     """
     from groundloop.maps import stability_map
 
-    chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
+    with patience():
+        chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
     emit(Output(_text(chart), _rows(chart), _data(chart)), form, out)
     units = {grid.symbol: grid.unit for grid in (x, y) if grid.unit}
     default = f"{chart.aircraft.name}-map"
@@ -57,7 +60,7 @@ def command(
 
 def _text(chart: StabilityMap) -> str:
     axes = [_axis(s, values) for s, values in ((chart.x_name, chart.x), (chart.y_name, chart.y))]
-    head = f"{chart.aircraft.name}: {chart.of} over {axes[0]} and {axes[1]}"
+    head = filled(f"{chart.aircraft.name}: {chart.of} over {axes[0]} and {axes[1]}")
     share = np.count_nonzero(chart.stable) / chart.stable.size
     parts = [head, f"{100 * share:.1f} % of {chart.values.size} points are stable"]
     if np.isfinite(chart.values).any():

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import click
 
-from .options import AircraftName
+from .options import AircraftName, example
 from .output import say, write
 
 
-@click.command(name="new", epilog="Example: groundloop new my-plane.toml --force")
+@click.command(name="new", epilog=example("groundloop new my-plane.toml --force"))
 @click.argument("file", type=click.Path(dir_okay=False, path_type=Path))
 @click.option("--like", type=AircraftName(), help="Begin with a copy of this aircraft instead.")
 @click.option("--force", is_flag=True, help="Overwrite the file if there is one.")

@@ -130,6 +130,11 @@ class Assignment(ParamType):
         return [CompletionItem(f"{n}=") for n in names if n.startswith(incomplete)]
 
 
+def example(*lines: str) -> str:
+    """The epilog of a command: something to copy, which click does not wrap."""
+    return "\n".join(["\b", "Example:", *(f"  {line}" for line in lines)])
+
+
 def aircraft(command: F) -> F:
     """AIRCRAFT and --set; the command gets `plane`, an `Aircraft`."""
     command = click.option(
@@ -222,15 +227,18 @@ def draw(
     import matplotlib as mpl
 
     from groundloop.errors import GroundloopError
+    from groundloop.files import complete
 
     from .output import say
 
     mpl.use("Agg")
     path = plot or Path(f"{default}.png")
-    try:
-        figure().savefig(path)
-    except (OSError, ValueError) as problem:
-        raise GroundloopError(f"cannot write the picture {path}: {problem}") from problem
+    drawn = figure()
+    with complete(path) as draft:
+        try:
+            drawn.savefig(draft)
+        except ValueError as problem:
+            raise GroundloopError(f"cannot write the picture {path}: {problem}") from problem
     say(f"wrote {path}")
 
 

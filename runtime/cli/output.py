@@ -53,12 +53,10 @@ def emit(output: Output, form: str, out: Path | None) -> None:
 
 def write(path: Path, content: str) -> None:
     """Write a text file, or say why not."""
-    from groundloop.errors import GroundloopError
+    from groundloop.files import complete
 
-    try:
-        path.write_text(content, encoding="utf-8", newline="")
-    except OSError as problem:
-        raise GroundloopError(f"cannot write {path}: {problem.strerror}") from problem
+    with complete(path) as draft:
+        draft.write_text(content, encoding="utf-8", newline="")
 
 
 def say(message: str) -> None:
@@ -85,10 +83,20 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]], right: Sequence[
     return "\n".join(lines)
 
 
-def paragraph(text: str) -> str:
+def filled(text: str) -> str:
+    """A text wrapped to the terminal."""
+    return textwrap.fill(" ".join(text.split()), _width(), break_long_words=False)
+
+
+def paragraph(text: str, mark: str = "-") -> str:
     """A text wrapped to the terminal, as an item of a list."""
+    first = f"  {mark} "
     return textwrap.fill(
-        text, _width(), initial_indent="  - ", subsequent_indent="    ", break_long_words=False
+        text,
+        _width(),
+        initial_indent=first,
+        subsequent_indent=" " * len(first),
+        break_long_words=False,
     )
 
 

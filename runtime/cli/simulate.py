@@ -12,6 +12,7 @@ from groundloop.generated.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, number, say, shown, table
+from .progress import patience
 
 if TYPE_CHECKING:
     from groundloop.metrics import Metrics
@@ -31,7 +32,9 @@ def _initial(command: Any) -> Any:
 
 @click.command(
     name="simulate",
-    epilog="Example: groundloop simulate brott --v0 '0.1 m/s' --speed '100 km/h' --plot run.png",
+    epilog=options.example(
+        "groundloop simulate brott --v0 '0.1 m/s' --speed '100 km/h' --plot run.png"
+    ),
 )
 @options.aircraft
 @options.tire()
@@ -40,7 +43,13 @@ def _initial(command: Any) -> Any:
 @click.option("--samples", type=int, default=501, show_default=True, help="How many to keep.")
 @options.speed
 @options.disturbance
-@click.option("--method", type=click.Choice(["rk45", "rk4"]), default="rk45", show_default=True)
+@click.option(
+    "--method",
+    type=click.Choice(["rk45", "rk4"]),
+    default="rk45",
+    show_default=True,
+    help="Integrator: adaptive steps, or fixed ones.",
+)
 @click.option(
     "--view",
     type=click.Choice(["history", "runway"]),
@@ -80,17 +89,18 @@ def command(
     aircraft = options.loaded(plane, changes)
     if not any(initial.values()) and not disturbance:
         say("nothing disturbs the aircraft: give --v0, --r0 or --disturbance")
-    run = simulate(
-        aircraft,
-        tire,
-        t=t,
-        samples=samples,
-        speed=speed,
-        disturbance=disturbance,
-        method=method,
-        **initial,
-    )
-    metrics = run.metrics()
+    with patience():
+        run = simulate(
+            aircraft,
+            tire,
+            t=t,
+            samples=samples,
+            speed=speed,
+            disturbance=disturbance,
+            method=method,
+            **initial,
+        )
+        metrics = run.metrics()
     emit(Output(_text(run, metrics), _rows(run), _data(run, metrics)), form, out)
     names = tuple(name.strip() for name in show.split(","))
     figure = partial(_runway, run) if view == "runway" else partial(run.plot, names)

@@ -6,13 +6,11 @@ from pathlib import Path
 
 import click
 
+from .options import example
 from .progress import progress
 
 
-@click.command(
-    name="study",
-    epilog="Example: groundloop study --out study, then open study/report.html",
-)
+@click.command(name="study", epilog=example("groundloop study --out study"))
 @click.option(
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
@@ -21,9 +19,14 @@ from .progress import progress
     help="Folder for report, tables, figures and ledger.",
 )
 def command(out: Path) -> None:
-    """Compute every table and figure of Brott's thesis and compare with the print."""
+    """Compute every table and figure of Brott's thesis and compare with the print.
+
+    Exits with 1 if a printed number neither agrees nor is explained.
+    """
     from groundloop import study
 
     with progress() as show:
         summary = study.run(out, show)
     click.echo(summary)
+    if summary.differs:
+        raise click.exceptions.Exit(1)

@@ -9,6 +9,7 @@ import click
 
 from . import options
 from .output import Output, emit, number, shown, table
+from .progress import patience
 
 if TYPE_CHECKING:
     from groundloop.trimming import Trim
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 @click.command(
     name="trim",
-    epilog="Example: groundloop trim brott --disturbance '100 lbf' --speed '60 km/h'",
+    epilog=options.example("groundloop trim brott --disturbance '100 lbf' --speed '60 km/h'"),
 )
 @options.aircraft
 @options.tire()
@@ -38,14 +39,15 @@ def command(
     """
     from groundloop.trimming import trim
 
-    found = trim(options.loaded(plane, changes), tire, speed=speed, disturbance=disturbance)
+    with patience():
+        found = trim(options.loaded(plane, changes), tire, speed=speed, disturbance=disturbance)
     emit(Output(_text(found), _rows(found), _data(found)), form, out)
 
 
 def _text(found: Trim) -> str:
     from groundloop.generated.names import QUANTITIES
 
-    head = repr(found).partition("\n")[0].removeprefix("Trim of ")
+    head = repr(found).partition("\n")[0].removeprefix("Trim of ").replace("'", "")
     if not found.count:
         return head
     names = [f"branch {k}" for k in range(1, int(found.count) + 1)]

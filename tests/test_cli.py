@@ -1,0 +1,448 @@
+"""The command line: what it prints where, with which exit code, and that its help is true."""
+
+import csv
+import importlib
+import io
+import json
+import re
+import shlex
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+from typing import NamedTuple
+
+import click
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import groundloop as gl
+from groundloop import cli
+from groundloop.aircraft import packaged, parameter_symbols
+from groundloop.generated import MODELS, QUANTITIES
+from groundloop.template import template
+
+SLOW = {"study"}
+FORMATS = [name for name in cli.COMMANDS if name not in {"new", "study"}]
+
+
+class Result(NamedTuple):
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    """Run the command line in an empty folder, in this process."""
+    monkeypatch.chdir(tmp_path)
+
+    def go(*arguments: str) -> Result:
+        capsys.readouterr()
+        code = cli.main(list(arguments))
+        return Result(code, *capsys.readouterr())
+
+    return go
+
+
+def command(name: str) -> click.Command:
+    found = cli._group.get_command(click.Context(cli._group), name)
+    assert found is not None
+    return found
+
+
+def example(name: str) -> str:
+    """The example in the help of a command."""
+    text = CliRunner().invoke(command(name), ["--help"]).output
+    (line,) = re.findall(r"^ +groundloop (.*)$", text.partition("Example:")[2], re.MULTILINE)
+    return line
+
+
+# --- Help --------------------------------------------------------------------------------------
+
+
+def test_every_command_is_described_once_and_exists():
+    for name in cli.COMMANDS:
+        module = importlib.import_module(f"groundloop.cli.{name.replace('-', '_')}")
+        assert module.command.name == name
+
+
+@pytest.mark.parametrize("name", [name for name in cli.COMMANDS if name not in SLOW])
+def test_the_example_in_the_help_works(run, name: str):
+    line = example(name)
+    assert line.startswith(name)
+    assert run(*shlex.split(line)).code == 0
+
+
+@pytest.mark.parametrize("name", cli.COMMANDS)
+def test_every_option_is_explained(name: str):
+    for parameter in command(name).params:
+        assert isinstance(parameter, click.Argument) or parameter.help, parameter.name
+
+
+def test_help_is_quick_because_it_imports_nothing_heavy():
+    code = "import sys; from groundloop.cli import main; main(['--help']); print(*sys.modules)"
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    heavy = {"casadi", "matplotlib", "pint", "numpy", "groundloop.cli.simulate"}
+    assert "simulate" in result.stdout
+    assert not heavy & set(result.stdout.split())
+
+
+@pytest.mark.parametrize(
+    ("word", "expected"),
+    [
+        ("sim", "simulate"),
+        ("check cessna-17", "cessna-172p"),
+        ("check b --set tail_a", "tail_area="),
+    ],
+)
+def test_the_shell_can_complete(word: str, expected: str, monkeypatch: pytest.MonkeyPatch):
+    from click.shell_completion import BashComplete
+
+    *before, last = word.split()
+    complete = BashComplete(cli._group, {}, "groundloop", "_GROUNDLOOP_COMPLETE")
+    assert expected in [item.value for item in complete.get_completions(before, last)]
+
+
+# --- The three formats ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_json_is_json_without_nan_and_alone_on_stdout(run, name: str):
+    result = run(*_bare(name), "--format", "json")
+    assert result.code == 0
+    assert json.loads(result.out, parse_constant=pytest.fail)
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_csv_has_one_width_and_a_header(run, name: str):
+    header, *rows = csv.reader(io.StringIO(run(*_bare(name), "--format", "csv").out))
+    assert rows
+    assert {len(row) for row in rows} == {len(header)}
+    assert all(header) or name == "linearize"
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_result_goes_to_a_file_if_wanted(run, name: str, tmp_path: Path):
+    to_stdout = run(*_bare(name), "--format", "csv")
+    to_file = run(*_bare(name), "--format", "csv", "--out", "result.csv")
+    assert to_file.out == ""
+    assert "wrote result.csv" in to_file.err
+    assert (tmp_path / "result.csv").read_text(encoding="utf-8") == to_stdout.out
+
+
+def _bare(name: str) -> list[str]:
+    """The example of a command without format and picture, on a small grid."""
+    words = shlex.split(example(name))
+    for option in ("--format", "--plot"):
+        if option in words:
+            del words[words.index(option) : words.index(option) + 2]
+    return [f"{word}:5" if ":" in word else word for word in words]
+
+
+# --- The same numbers as the Python API ---------------------------------------------------------
+
+
+def test_simulate_gives_what_the_api_gives(run):
+    found = json.loads(run("simulate", "brott", "--v0", "10 cm/s", "--format", "json").out)
+    expected = gl.simulate(gl.Aircraft.load("brott"), v0=0.1)
+    for name in ("t", "v", "theta", "F_main"):
+        series = expected.t if name == "t" else expected[name]
+        np.testing.assert_allclose(found[name], series, rtol=0, atol=0)
+    assert found["metrics"]["displacement"] == float(expected.metrics().displacement)
+    assert found["units"]["theta"] == "rad"
+
+
+def test_states_that_differ_in_case_are_told_apart(run):
+    found = json.loads(run("simulate", "brott", "--Y0", "3", "--y0", "1", "--format", "json").out)
+    assert (found["Y"][0], found["y"][0]) == (3, 1)
+
+
+def test_csv_over_time(run):
+    result = run("simulate", "brott", "--v0", "0.1", "--samples", "11", "--format", "csv")
+    header, *rows = csv.reader(io.StringIO(result.out))
+    assert header[:3] == ["t [s]", "v [m/s]", "r [rad/s]"]
+    assert len(rows) == 11
+    assert float(rows[0][1]) == 0.1
+
+
+def test_linearize_gives_what_the_api_gives(run):
+    words = ("linearize", "brott", "--v", "0.4 m/s", "--r", "1 deg/s", "--speed", "60 km/h")
+    found = json.loads(run(*words, "--format", "json").out)
+    point = gl.OperatingPoint(v=0.4, r=float(np.radians(1)))
+    lin = gl.linearize(gl.Aircraft.load("brott"), at=point, speed=60 / 3.6)
+    for name in "ABCD":
+        np.testing.assert_allclose(found[name], getattr(lin, name), rtol=1e-12)
+    assert found["eigenvalues"][0] == pytest.approx(
+        [lin.eigenvalues[0].real, lin.eigenvalues[0].imag]
+    )
+
+
+def test_trim_gives_what_the_api_gives(run):
+    found = json.loads(run("trim", "brott", "--disturbance", "100 lbf", "--format", "json").out)
+    expected = gl.trim(gl.Aircraft.load("brott"), disturbance=444.822162)
+    assert found["v"] == pytest.approx(expected["v"].tolist(), rel=1e-6)
+    assert found["stable"] == [True]
+
+
+def test_that_there_is_no_equilibrium_is_an_answer(run):
+    result = run("trim", "brott", "--disturbance", "9000 N")
+    assert (result.code, result.err) == (0, "")
+    assert "no equilibrium" in result.out
+
+
+def test_map_gives_what_the_api_gives(run):
+    axes = ("--x", "speed=36 km/h:180 km/h:3", "--y", "a=-0.5:0.5:5", "--of", "damping_ratio")
+    found = json.loads(run("map", "brott", *axes, "--format", "json").out)
+    expected = gl.stability_map(
+        gl.Aircraft.load("brott"),
+        ("u", np.linspace(10, 50, 3)),
+        ("a", np.linspace(-0.5, 0.5, 5)),
+        "damping_ratio",
+    )
+    np.testing.assert_allclose(np.array(found["values"], dtype=float), expected.values, rtol=1e-9)
+    assert found["stable"] == expected.stable.tolist()
+
+
+def test_set_changes_parameters_with_units_and_lets_them_follow(run):
+    words = ("--set", "cg_station=16 in", "--set", "mass=800", "--set", "f=", "--set", "Ct=")
+    found = json.loads(run("check", "brott", *words, "--format", "json").out)
+    values = {row["symbol"]: row["value"] for row in found["quantities"]}
+    plane = gl.Aircraft.load("brott").replace(x_cg="16 in", m=800, f=None, Ct=None)
+    for symbol in ("x_cg", "m", "a", "f", "Ct"):
+        assert values[symbol] == float(plane[symbol])
+
+
+def test_fit_tire_reads_a_file(run, tmp_path: Path):
+    from groundloop.aircraft_file import packaged_files
+
+    text = packaged_files(".csv")["goodyear-6.00-6"].read_text(encoding="utf-8")
+    (tmp_path / "mine.csv").write_text(text, encoding="utf-8")
+    found = json.loads(run("fit-tire", "mine.csv", "--format", "json").out)
+    assert found["data"] == "mine"
+    assert {p["symbol"]: p["value"] for p in found["parameters"]} == pytest.approx(
+        dict(gl.fit_tire().parameters)
+    )
+
+
+def test_info_names_what_is_there(run):
+    found = json.loads(run("info", "--format", "json").out)
+    assert set(found["aircraft"]) == set(packaged())
+    assert set(found["models"]) == set(MODELS)
+
+
+# --- Pictures ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("view", ["history", "runway"])
+def test_people_get_a_picture_and_its_path(run, view: str, tmp_path: Path):
+    result = run("simulate", "brott", "--v0", "0.1", "--view", view)
+    assert result.err == "wrote brott-simulate.png\n"
+    assert (tmp_path / "brott-simulate.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_the_kind_of_picture_is_that_of_its_suffix(run, tmp_path: Path):
+    run("simulate", "brott", "--v0", "0.1", "--show", "v,r,alpha", "--plot", "run.svg")
+    assert "<svg" in (tmp_path / "run.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("words", [("--no-plot",), ("--format", "csv"), ("--format", "json")])
+def test_programs_get_no_picture(run, words: tuple[str, ...], tmp_path: Path):
+    assert run("simulate", "brott", "--v0", "0.1", *words).err == ""
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_picture_of_an_unknown_kind_is_an_error(run):
+    result = run("simulate", "brott", "--v0", "0.1", "--plot", "run.xyz")
+    assert result.code == 1
+    assert "cannot write the picture run.xyz" in result.err
+
+
+# --- check and new -------------------------------------------------------------------------------
+
+
+def test_check_shows_values_as_written_their_sources_and_estimates(run):
+    out = run("check", "cessna-170").out
+    assert re.search(r"main_gear_station +x_main +22 +in +\[\d+\]", out)
+    assert re.search(r"yaw_inertia +Izz +~1633 +slug ft\^2", out)
+    assert re.search(r"main_gear_arm +a +0.53467 +m +x_cg, x_main", out)
+    assert "Scott 3-24B" in out
+
+
+def test_check_warns_with_the_source_of_the_rule(run):
+    out = run("check", "brott-physical", "--set", "main_gear_station=0 in").out
+    assert "third_wheel_load_fraction is 9.0 %" not in out
+    out = run("check", "brott-physical", "--set", "main_gear_station=14 in").out
+    assert re.search(r"third_wheel_load_fraction is 0.8 %; usual is 8 % to 15 %: .*rule of", out)
+
+
+def test_check_says_which_given_values_override_what_would_follow(run):
+    out = run("check", "brott").out
+    assert "main_gear_weight_fraction is given as 1; 0.85843 would follow" in out
+
+
+def test_check_says_where_an_aircraft_is_unstable(run):
+    assert "unstable from" in run("check", "brott", "--set", "Ct=10 N/deg").out
+
+
+def test_check_names_a_cg_outside_its_limits(run):
+    out = run("check", "brott", "--set", "cg_station=20 in").out
+    assert "cg_station (x_cg): found" in out
+    assert "at most cg_aft_limit, 16.8 in" in out
+
+
+def test_check_is_strict_if_asked(run):
+    assert run("check", "brott").code == 0
+    assert run("check", "brott", "--strict").code == 1
+
+
+def test_check_reports_every_mistake_of_a_file_on_stderr(run, tmp_path: Path):
+    (tmp_path / "bad.toml").write_text("mass = '3 m'\nmas = 3\n", encoding="utf-8")
+    result = run("check", "bad.toml")
+    assert (result.code, result.out) == (1, "")
+    assert "bad.toml has 2 mistakes" in result.err
+    assert "line 1, mass: found '3 m', a length; expected a mass" in result.err
+
+
+def test_a_new_file_is_read_and_check_says_what_it_lacks(run, tmp_path: Path):
+    assert run("new", "mine.toml").code == 0
+    result = run("check", "mine.toml")
+    assert result.code == 1
+    assert "- mass (total mass)" in result.out
+    assert "main_gear_arm" in result.out
+    assert "or cg_station and main_gear_station" in result.out
+
+
+def test_a_new_file_explains_every_key():
+    text = template("mine", "mine.toml")
+    for symbol in parameter_symbols():
+        q = QUANTITIES[symbol]
+        unit = "" if q.unit == "1" else f" {q.unit}"
+        line = f'#{q.name} = {{ value = "?{unit}", source = "" }} # {q.meaning}'
+        assert line in text.replace("; follows if not given", "")
+    assert max(map(len, text.splitlines())) < 140
+
+
+def test_a_new_file_can_be_used_once_it_is_filled_in(run, tmp_path: Path):
+    """Round trip: a template filled with an aircraft's values is that aircraft."""
+    plane = gl.Aircraft.load("cessna-170")
+    run("new", "mine.toml")
+    path = tmp_path / "mine.toml"
+    lines = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        match = re.match(r"#(\w+) = \{ value = \"\?", line)
+        key = match[1] if match else ""
+        filled = key != "table" and match is not None and key in plane
+        lines.append(line[1:].replace('"?', f'"{float(plane[key])!r}', 1) if filled else line)
+    path.write_text("\n".join(lines), encoding="utf-8")
+    again = gl.Aircraft.load(path)
+    for symbol in parameter_symbols():
+        if symbol in plane:
+            assert again[symbol] == pytest.approx(float(plane[symbol]), rel=1e-12)
+    assert run("check", "mine.toml").code == 0
+
+
+def test_a_new_file_can_begin_as_a_copy_and_is_not_overwritten(run, tmp_path: Path):
+    assert run("new", "mine.toml", "--like", "brott").code == 0
+    assert gl.Aircraft.load(tmp_path / "mine.toml")["m"] == gl.Aircraft.load("brott")["m"]
+    result = run("new", "mine.toml")
+    assert result.code == 2
+    assert "mine.toml exists; --force overwrites it" in result.err
+    assert run("new", "mine.toml", "--force").code == 0
+
+
+# --- Exit codes ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"),
+    [
+        (["simulat"], 2, "unknown command 'simulat'; did you mean simulate?"),
+        (["simulate"], 2, "Missing argument 'AIRCRAFT'"),
+        (["simulate", "brott", "--sped", "3"], 2, "--speed"),
+        (["simulate", "brott", "--speed", "3 kg"], 2, "found '3 kg', a mass; expected a speed"),
+        (["simulate", "brott", "--set", "mass"], 2, "expected name=value"),
+        (["simulate", "brott", "--set", "mas=3"], 2, "unknown parameter 'mas'"),
+        (["simulate", "brott", "--set", "mass=3 m"], 2, "found '3 m', a length"),
+        (["simulate", "brott", "--set", "mass=-3"], 2, "mass (m) must be positive"),
+        (["map", "brott", "--x", "a=1", "--y", "u=1:2"], 2, "expected name=low:high"),
+        (["map", "brott", "--x", "a=1:0", "--y", "u=1:2"], 2, "expected low < high"),
+        (["map", "brott", "--x", "q=0:1", "--y", "u=1:2"], 2, "unknown parameter 'q'"),
+        (["map", "brott", "--x", "a=0:1", "--y", "u=1:2", "--of", "dcay_rate"], 1, "decay_rate"),
+        (["new", "plane.txt"], 2, "expected a name ending in .toml"),
+        (["simulate", "brot"], 1, "did you mean brott?"),
+        (["simulate", "none.toml"], 1, "cannot read none.toml: No such file"),
+        (["simulate", "brott", "--t", "-1"], 1, "t must be positive"),
+        (["simulate", "brott", "--v0", "0.1", "--show", "vv"], 1, "'vv'"),
+        (["simulate", "brott", "--v0", "0.1", "--out", "no/where.csv"], 1, "cannot write"),
+        (["fit-tire", "none.csv"], 1, "cannot read none.csv"),
+    ],
+)
+def test_what_goes_wrong_has_a_code_and_a_message_on_stderr(
+    run, words: list[str], code: int, message: str
+):
+    result = run(*words)
+    assert (result.code, result.out) == (code, "") or "--show" in words
+    assert message in result.err
+
+
+def test_a_run_that_nothing_disturbs_says_so(run):
+    assert "nothing disturbs the aircraft" in run("simulate", "brott", "--no-plot").err
+
+
+@pytest.mark.parametrize("raised", [KeyboardInterrupt, click.Abort])
+def test_an_interruption_is_clean(
+    run, monkeypatch: pytest.MonkeyPatch, raised: type[BaseException]
+):
+    from groundloop.cli import info
+
+    def interrupted(**_: object) -> None:
+        raise raised
+
+    monkeypatch.setattr(info.command, "callback", interrupted)
+    code, out, err = run("info")
+    assert (code, out, err.strip()) == (130, "", "groundloop: interrupted")
+
+
+def test_a_warning_is_one_line_on_stderr(run, monkeypatch: pytest.MonkeyPatch):
+    from groundloop.cli import info
+
+    def warned(**_: object) -> None:
+        with warnings.catch_warnings():
+            warnings.simplefilter("always")
+            warnings.warn("no compiler", RuntimeWarning, stacklevel=1)
+
+    monkeypatch.setattr(info.command, "callback", warned)
+    assert run("info") == (0, "", "groundloop: warning: no compiler\n")
+
+
+# --- As a process --------------------------------------------------------------------------------
+
+
+def process(*words: str, **settings: object) -> subprocess.CompletedProcess[str]:
+    program = [sys.executable, "-m", "groundloop", *words]
+    return subprocess.run(program, capture_output=True, text=True, check=False, **settings)
+
+
+def test_as_a_process_results_and_messages_are_kept_apart(tmp_path: Path):
+    result = process("simulate", "brott", "--v0", "0.1", "--format", "csv", cwd=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.startswith("t [s],v [m/s]")
+    assert len(result.stdout.splitlines()) == 502
+
+
+def test_as_a_process_a_failure_has_its_code(tmp_path: Path):
+    result = process("check", "brot", cwd=tmp_path)
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr.startswith("groundloop: unknown aircraft 'brot'")
+
+
+def test_a_reader_that_leaves_early_is_no_trouble(tmp_path: Path):
+    line = f"{shlex.quote(sys.executable)} -m groundloop simulate brott --format csv --samples 9999"
+    result = subprocess.run(
+        ["bash", "-c", f"{line} | head -1"], capture_output=True, text=True, cwd=tmp_path
+    )
+    assert result.stdout.startswith("t [s]")
+    assert "Traceback" not in result.stderr
+    assert "BrokenPipe" not in result.stderr
