@@ -88,7 +88,8 @@ V = sp.Symbol("V", positive=True)  # magnitude of V0
 
 
 def definition(of: Quantity, chain: Chain) -> sp.Expr:
-    return next(equation.rhs for equation in chain if equation.lhs == of)
+    found = (equation.rhs for equation in chain if equation.lhs == of)
+    return next(found, sp.Symbol(f"{of}, which is not defined,"))
 
 
 def through(expr: sp.Expr, model: Model, *quantities: Quantity) -> sp.Expr:
