@@ -8,7 +8,8 @@ import pytest
 import groundloop as gl
 from groundloop.aircraft import packaged, parameter_symbols
 from groundloop.aircraft_file import AircraftFileError, Mistake, packaged_files
-from groundloop.generated import QUANTITIES
+from groundloop.checking import _usual
+from groundloop.generated import MODELS, QUANTITIES
 from groundloop.units import UnitError, from_si, to_si
 
 BRIEF = """
@@ -296,6 +297,37 @@ def test_the_nose_wheel_of_the_cessna_172p_carries_the_rest():
     plane = gl.Aircraft.load("cessna-172p")
     x_cg, x_main, x_nose = (float(plane[s]) for s in ("x_cg", "x_main", "x_nose"))
     assert plane["f"] == pytest.approx((x_cg - x_nose) / (x_main - x_nose), abs=1e-4)
+
+
+# --- What is usual ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("rule", _usual(), ids=lambda rule: rule["quantity"])
+def test_every_rule_of_what_is_usual_can_be_applied_and_has_a_source(rule: dict[str, str]):
+    (unit,) = (q.unit for q in QUANTITIES.values() if q.name == rule["quantity"])
+    low, high = (to_si(str(rule[bound]), unit, "rule") for bound in ("low", "high"))
+    assert low < high
+    assert rule["meaning"]
+    assert rule["source"]
+    assert rule.get("gear") in (None, "taildragger", "tricycle")
+
+
+def test_a_check_is_for_python_too():
+    found = gl.check(gl.Aircraft.load("cessna-170"))
+    assert not any(found.missing.values())
+    assert "yaw_inertia" in found.estimates
+    assert "mass" not in found.estimates
+    share = next(k for k in found.known if k.symbol == "third_load")
+    plane = found.aircraft
+    assert share.value == pytest.approx(1 - plane["f"])
+    assert share.follows_from == ("x_main", "x_tail", "x_cg")
+    assert "quantities known" in repr(found)
+
+
+def test_a_check_of_an_empty_aircraft_names_all_that_is_missing():
+    found = gl.check(gl.Aircraft("empty", {}))
+    assert found.known == ()
+    assert len(found.missing["nonlinear"]) == len(MODELS["nonlinear"].parameters)
 
 
 # --- The aircraft and its units ---------------------------------------------------------------

@@ -23,8 +23,7 @@ from groundloop.aircraft import packaged, parameter_symbols
 from groundloop.generated import MODELS, QUANTITIES
 from groundloop.template import template
 
-SLOW = {"study"}
-FORMATS = [name for name in cli.COMMANDS if name not in {"new", "study"}]
+FORMATS = [name for name in cli.COMMANDS if name not in {"new", "place", "study"}]
 
 
 class Result(NamedTuple):
@@ -68,7 +67,7 @@ def test_every_command_is_described_once_and_exists():
         assert module.command.name == name
 
 
-@pytest.mark.parametrize("name", [name for name in cli.COMMANDS if name not in SLOW])
+@pytest.mark.parametrize("name", [name for name in cli.COMMANDS if name not in {"place", "study"}])
 def test_the_example_in_the_help_works(run, name: str):
     line = example(name)
     assert line.startswith(name)
@@ -212,6 +211,19 @@ def test_set_changes_parameters_with_units_and_lets_them_follow(run):
     plane = gl.Aircraft.load("brott").replace(x_cg="16 in", m=800, f=None, Ct=None)
     for symbol in ("x_cg", "m", "a", "f", "Ct"):
         assert values[symbol] == float(plane[symbol])
+
+
+def test_place_gives_the_station_its_worst_corner_and_a_picture(run, tmp_path: Path):
+    words = shlex.split(example("place"))
+    result = run(*words, "--format", "json", "--plot", "place.png")
+    found = json.loads(result.out)
+    assert (result.code, result.err) == (0, "wrote place.png\n")
+    assert (tmp_path / "place.png").stat().st_size > 10_000
+    assert found["envelope"]["speed"]["values"] == pytest.approx([20 * 0.514444, 50 * 0.514444])
+    assert {bound["limit"] for bound in found["limits"]} >= {"nose_over", "decay_rate"}
+    assert found["today"]["design"]["main_gear_station"] == pytest.approx(0.5588)
+    assert found["placement"]["decay_rate"]["value"] > 0
+    assert [price["of"] for price in found["binding"]] == ["nose_over at most 25.00 deg"]
 
 
 def test_fit_tire_reads_a_file(run, tmp_path: Path):
@@ -370,6 +382,9 @@ def test_a_new_file_can_begin_as_a_copy_and_is_not_overwritten(run, tmp_path: Pa
         (["map", "brott", "--x", "a=1:0", "--y", "u=1:2"], 2, "expected low < high"),
         (["map", "brott", "--x", "q=0:1", "--y", "u=1:2"], 2, "unknown parameter 'q'"),
         (["map", "brott", "--x", "a=0:1", "--y", "u=1:2", "--of", "dcay_rate"], 1, "decay_rate"),
+        (["place", "brott", "--envelope", "sped=1:2"], 2, "did you mean speed?"),
+        (["place", "brott", "--limit", "nose_over"], 2, "expected name=value"),
+        (["place", "brott", "--envelope", "speed=3:2"], 1, "the range runs backwards"),
         (["new", "plane.txt"], 2, "expected a name ending in .toml"),
         (["simulate", "brot"], 1, "did you mean brott?"),
         (["simulate", "none.toml"], 1, "cannot read none.toml: No such file"),

@@ -27,6 +27,7 @@ COMMANDS = {
     "linearize": "State-space matrices and modes at an operating point.",
     "trim": "Every steady turn under a side force.",
     "map": "A stability margin over any two parameters, with a picture.",
+    "place": "Where the main gear should stand, within limits.",
     "check": "What an aircraft file says, what follows, what is missing.",
     "new": "An aircraft file to fill in.",
     "fit-tire": "Parameters of the non-linear tire from measured forces.",

@@ -130,9 +130,9 @@ class Assignment(ParamType):
         return [CompletionItem(f"{n}=") for n in names if n.startswith(incomplete)]
 
 
-def example(*lines: str) -> str:
+def example(line: str) -> str:
     """The epilog of a command: something to copy, which click does not wrap."""
-    return "\n".join(["\b", "Example:", *(f"  {line}" for line in lines)])
+    return f"\b\nExample:\n  {line}"
 
 
 def aircraft(command: F) -> F:

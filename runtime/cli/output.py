@@ -88,6 +88,14 @@ def filled(text: str) -> str:
     return textwrap.fill(" ".join(text.split()), _width(), break_long_words=False)
 
 
+def hanging(text: str) -> str:
+    """Lines wrapped to the terminal, each continued further to the right."""
+    return "\n".join(
+        textwrap.fill(line, _width(), subsequent_indent="      ", break_long_words=False)
+        for line in text.splitlines()
+    )
+
+
 def paragraph(text: str, mark: str = "-") -> str:
     """A text wrapped to the terminal, as an item of a list."""
     first = f"  {mark} "
