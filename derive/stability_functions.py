@@ -96,8 +96,14 @@ def _margin_functions() -> tuple[FunctionSpec, ...]:
         ),
         _closed_form(
             "tail_wheel_needed",
-            "The tail wheel that stability asks for.",
-            (margins.stiffness_needed, margins.stiffness_needed_always, margins.speed_margin),
+            "The tail wheel that stability asks for at a speed.",
+            (margins.stiffness_needed,),
+            margins.tail_wheel_needed(),
+        ),
+        _closed_form(
+            "tail_wheel_always",
+            "The tail wheel that stability asks for at every speed.",
+            (margins.stiffness_needed_always, margins.speed_margin),
             margins.tail_wheel_needed(),
         ),
     )

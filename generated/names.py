@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 254e20982af9af9c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest c85e7286bf95c2a8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -25,7 +25,7 @@ class Signature(NamedTuple):
     outputs: tuple[str, ...]
 
 
-DIGEST = "254e20982af9af9c"
+DIGEST = "c85e7286bf95c2a8"
 
 QUANTITIES = {
     q.symbol: q
@@ -219,6 +219,7 @@ FUNCTIONS = {
     "stationary_decay": ("stability", "stationary_decay", "stability"),
     "steady_margins": ("stability", "steady_margins", "stability"),
     "tail_wheel_needed": ("stability", "tail_wheel_needed", "stability"),
+    "tail_wheel_always": ("stability", "tail_wheel_always", "stability"),
     "gear_position": ("stability", "gear_position", "stability"),
     "gear_position_envelope": ("stability", "gear_position_envelope", "stability"),
     "loaded_gear_position": ("stability", "loaded_gear_position", "stability"),

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 254e20982af9af9c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest c85e7286bf95c2a8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Closed forms of the linear model (Section 4.7 and what it leaves unsaid)."""
 
 from functools import cache
@@ -411,7 +411,7 @@ def steady_margins() -> ca.Function:
 
 @cache
 def tail_wheel_needed() -> ca.Function:
-    """The tail wheel that stability asks for.
+    """The tail wheel that stability asks for at a speed.
 
     Inputs
     ------
@@ -423,13 +423,10 @@ def tail_wheel_needed() -> ca.Function:
     Ap : scalar [m^2], area of the vertical tail
     CL_gamma : scalar [1/rad], lift-curve slope of the vertical tail
     C_alpha : scalar [N/rad], cornering stiffness of one main tire
-    Ct : scalar [N/rad], cornering stiffness of the tail wheel
 
     Outputs
     -------
     Ct_needed : 1 x 1, tail wheel stiffness at which det A = 0 at this speed; negative: stable without [N/rad]
-    Ct_always : 1 x 1, tail wheel stiffness from which det A > 0 at every speed [N/rad]
-    speed_margin : 1 x 1, sqrt(b Ct/(L C_f)) + sqrt(L k/m) - sqrt(a/L): positive is stable at every speed [1]
 
     Thesis
     ------
@@ -443,25 +440,67 @@ def tail_wheel_needed() -> ca.Function:
     Ap = ca.SX.sym("Ap")
     CL_gamma = ca.SX.sym("CL_gamma")
     C_alpha = ca.SX.sym("C_alpha")
+    C_f = 2*C_alpha  # Eq. 4.28
+    k = (1/2)*Ap*CL_gamma*rho  # Eq. 4.29
+    w3 = m*u**2
+    K_needed = C_f*a*w3/(C_f*a**2 + 2*C_f*a*b + C_f*b**2 + b*w3)  # from det A = 0
+    Ct_needed = K_needed - k*u**2  # Eq. 4.31
+    return ca.Function(
+        "tail_wheel_needed",
+        [m, a, b, u, rho, Ap, CL_gamma, C_alpha],
+        [Ct_needed],
+        ["m", "a", "b", "u", "rho", "Ap", "CL_gamma", "C_alpha"],
+        ["Ct_needed"],
+    )
+
+
+@cache
+def tail_wheel_always() -> ca.Function:
+    """The tail wheel that stability asks for at every speed.
+
+    Inputs
+    ------
+    m : scalar [kg], total mass
+    a : scalar [m], main gear ahead of the CG (positive: taildragger)
+    b : scalar [m], CG ahead of the vertical tail and the tail wheel
+    rho : scalar [kg/m^3], density of the air
+    Ap : scalar [m^2], area of the vertical tail
+    CL_gamma : scalar [1/rad], lift-curve slope of the vertical tail
+    C_alpha : scalar [N/rad], cornering stiffness of one main tire
+    Ct : scalar [N/rad], cornering stiffness of the tail wheel
+
+    Outputs
+    -------
+    Ct_always : 1 x 1, tail wheel stiffness from which det A > 0 at every speed [N/rad]
+    speed_margin : 1 x 1, sqrt(b Ct/(L C_f)) + sqrt(L k/m) - sqrt(a/L): positive is stable at every speed [1]
+
+    Thesis
+    ------
+    Eq. 4.28, Eq. 4.29
+    """
+    m = ca.SX.sym("m")
+    a = ca.SX.sym("a")
+    b = ca.SX.sym("b")
+    rho = ca.SX.sym("rho")
+    Ap = ca.SX.sym("Ap")
+    CL_gamma = ca.SX.sym("CL_gamma")
+    C_alpha = ca.SX.sym("C_alpha")
     Ct = ca.SX.sym("Ct")
     C_f = 2*C_alpha  # Eq. 4.28
     k = (1/2)*Ap*CL_gamma*rho  # Eq. 4.29
     L = a + b  # Section 4.2
-    w3 = m*u**2
-    K_needed = C_f*a*w3/(C_f*a**2 + 2*C_f*a*b + C_f*b**2 + b*w3)  # from det A = 0
-    Ct_needed = K_needed - k*u**2  # Eq. 4.31
-    w4 = ca.sqrt(C_f)
-    w5 = ca.sqrt(b)
-    w6 = ca.sqrt(m)
-    root_needed = w4*(-L*ca.sqrt(k) + w6*ca.sqrt(ca.fmax(0, a)))/(w5*w6)  # from q_1 + 2 sqrt(q_0 q_2) = 0
+    w1 = ca.sqrt(C_f)
+    w2 = ca.sqrt(b)
+    w3 = ca.sqrt(m)
+    root_needed = w1*(-L*ca.sqrt(k) + w3*ca.sqrt(ca.fmax(0, a)))/(w2*w3)  # from q_1 + 2 sqrt(q_0 q_2) = 0
     Ct_always = ca.fmax(0, root_needed)**2  # its square
-    speed_margin = w5*(ca.sqrt(Ct) - root_needed)/(ca.sqrt(L)*w4)  # from q_1 + 2 sqrt(q_0 q_2) > 0
+    speed_margin = w2*(ca.sqrt(Ct) - root_needed)/(ca.sqrt(L)*w1)  # from q_1 + 2 sqrt(q_0 q_2) > 0
     return ca.Function(
-        "tail_wheel_needed",
-        [m, a, b, u, rho, Ap, CL_gamma, C_alpha, Ct],
-        [Ct_needed, Ct_always, speed_margin],
-        ["m", "a", "b", "u", "rho", "Ap", "CL_gamma", "C_alpha", "Ct"],
-        ["Ct_needed", "Ct_always", "speed_margin"],
+        "tail_wheel_always",
+        [m, a, b, rho, Ap, CL_gamma, C_alpha, Ct],
+        [Ct_always, speed_margin],
+        ["m", "a", "b", "rho", "Ap", "CL_gamma", "C_alpha", "Ct"],
+        ["Ct_always", "speed_margin"],
     )
 
 

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 254e20982af9af9c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest c85e7286bf95c2a8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -80,6 +80,10 @@
 #define casadi_f61 CASADI_PREFIX(f61)
 #define casadi_f62 CASADI_PREFIX(f62)
 #define casadi_f63 CASADI_PREFIX(f63)
+#define casadi_f64 CASADI_PREFIX(f64)
+#define casadi_f65 CASADI_PREFIX(f65)
+#define casadi_f66 CASADI_PREFIX(f66)
+#define casadi_f67 CASADI_PREFIX(f67)
 #define casadi_f7 CASADI_PREFIX(f7)
 #define casadi_f8 CASADI_PREFIX(f8)
 #define casadi_f9 CASADI_PREFIX(f9)
@@ -9315,9 +9319,9 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_steady_margins_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
-/* tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct)->(Ct_needed,Ct_always,speed_margin) */
+/* tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha)->(Ct_needed) */
 static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=arg[7]? arg[7][0] : 0;
   a1=(2.*a0);
   a2=arg[1]? arg[1][0] : 0;
@@ -9325,58 +9329,33 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a4=arg[0]? arg[0][0] : 0;
   a5=arg[3]? arg[3][0] : 0;
   a6=casadi_sq(a5);
-  a6=(a4*a6);
-  a3=(a3*a6);
+  a4=(a4*a6);
+  a3=(a3*a4);
+  a6=casadi_sq(a2);
+  a6=(a1*a6);
+  a7=4.;
+  a7=(a7*a0);
+  a7=(a7*a2);
+  a2=arg[2]? arg[2][0] : 0;
+  a7=(a7*a2);
+  a6=(a6+a7);
   a7=casadi_sq(a2);
-  a7=(a1*a7);
-  a8=4.;
-  a8=(a8*a0);
-  a8=(a8*a2);
-  a0=arg[2]? arg[2][0] : 0;
-  a8=(a8*a0);
-  a7=(a7+a8);
-  a8=casadi_sq(a0);
-  a8=(a1*a8);
-  a7=(a7+a8);
-  a6=(a0*a6);
-  a7=(a7+a6);
-  a3=(a3/a7);
-  a7=5.0000000000000000e-01;
-  a6=arg[5]? arg[5][0] : 0;
-  a7=(a7*a6);
-  a6=arg[6]? arg[6][0] : 0;
-  a7=(a7*a6);
-  a6=arg[4]? arg[4][0] : 0;
-  a7=(a7*a6);
+  a1=(a1*a7);
+  a6=(a6+a1);
+  a2=(a2*a4);
+  a6=(a6+a2);
+  a3=(a3/a6);
+  a6=5.0000000000000000e-01;
+  a2=arg[5]? arg[5][0] : 0;
+  a6=(a6*a2);
+  a2=arg[6]? arg[6][0] : 0;
+  a6=(a6*a2);
+  a2=arg[4]? arg[4][0] : 0;
+  a6=(a6*a2);
   a5=casadi_sq(a5);
-  a5=(a7*a5);
-  a3=(a3-a5);
+  a6=(a6*a5);
+  a3=(a3-a6);
   if (res[0]!=0) res[0][0]=a3;
-  a3=0.;
-  a1=sqrt(a1);
-  a4=sqrt(a4);
-  a5=casadi_fmax(a3,a2);
-  a5=sqrt(a5);
-  a5=(a4*a5);
-  a2=(a2+a0);
-  a7=sqrt(a7);
-  a7=(a2*a7);
-  a5=(a5-a7);
-  a5=(a1*a5);
-  a0=sqrt(a0);
-  a4=(a0*a4);
-  a5=(a5/a4);
-  a3=casadi_fmax(a3,a5);
-  a3=casadi_sq(a3);
-  if (res[1]!=0) res[1][0]=a3;
-  a3=arg[8]? arg[8][0] : 0;
-  a3=sqrt(a3);
-  a3=(a3-a5);
-  a0=(a0*a3);
-  a2=sqrt(a2);
-  a2=(a2*a1);
-  a0=(a0/a2);
-  if (res[2]!=0) res[2][0]=a0;
   return 0;
 }
 
@@ -9397,9 +9376,9 @@ CASADI_SYMBOL_EXPORT void tail_wheel_needed_incref(void) {
 CASADI_SYMBOL_EXPORT void tail_wheel_needed_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int tail_wheel_needed_n_in(void) { return 9;}
+CASADI_SYMBOL_EXPORT casadi_int tail_wheel_needed_n_in(void) { return 8;}
 
-CASADI_SYMBOL_EXPORT casadi_int tail_wheel_needed_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int tail_wheel_needed_n_out(void) { return 1;}
 
 CASADI_SYMBOL_EXPORT casadi_real tail_wheel_needed_default_in(casadi_int i) {
   switch (i) {
@@ -9417,7 +9396,6 @@ CASADI_SYMBOL_EXPORT const char* tail_wheel_needed_name_in(casadi_int i) {
     case 5: return "Ap";
     case 6: return "CL_gamma";
     case 7: return "C_alpha";
-    case 8: return "Ct";
     default: return 0;
   }
 }
@@ -9425,8 +9403,6 @@ CASADI_SYMBOL_EXPORT const char* tail_wheel_needed_name_in(casadi_int i) {
 CASADI_SYMBOL_EXPORT const char* tail_wheel_needed_name_out(casadi_int i) {
   switch (i) {
     case 0: return "Ct_needed";
-    case 1: return "Ct_always";
-    case 2: return "speed_margin";
     default: return 0;
   }
 }
@@ -9441,7 +9417,6 @@ CASADI_SYMBOL_EXPORT const casadi_int* tail_wheel_needed_sparsity_in(casadi_int 
     case 5: return casadi_s0;
     case 6: return casadi_s0;
     case 7: return casadi_s0;
-    case 8: return casadi_s0;
     default: return 0;
   }
 }
@@ -9449,203 +9424,122 @@ CASADI_SYMBOL_EXPORT const casadi_int* tail_wheel_needed_sparsity_in(casadi_int 
 CASADI_SYMBOL_EXPORT const casadi_int* tail_wheel_needed_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
-    case 1: return casadi_s0;
-    case 2: return casadi_s0;
     default: return 0;
   }
 }
 
 CASADI_SYMBOL_EXPORT int tail_wheel_needed_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 9;
-  if (sz_res) *sz_res = 3;
+  if (sz_arg) *sz_arg = 8;
+  if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
   if (sz_w) *sz_w = 0;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int tail_wheel_needed_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 8*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 0*sizeof(casadi_real);
   return 0;
 }
 
-/* fwd1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_needed[1x1,0nz],out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_Ct_needed,fwd_Ct_always,fwd_speed_margin) */
+/* fwd1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,out_Ct_needed[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha)->(fwd_Ct_needed) */
 static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
-  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
+  casadi_real a12, a13, a14, a15, a16, a17, a18;
   a00=arg[0]? arg[0][0] : 0;
   a01=arg[3]? arg[3][0] : 0;
   a02=casadi_sq(a01);
   a03=(a00*a02);
   a04=arg[1]? arg[1][0] : 0;
-  a05=arg[19]? arg[19][0] : 0;
+  a05=arg[16]? arg[16][0] : 0;
   a06=(2.*a05);
   a07=(a04*a06);
   a08=arg[7]? arg[7][0] : 0;
   a09=(2.*a08);
-  a10=arg[13]? arg[13][0] : 0;
+  a10=arg[10]? arg[10][0] : 0;
   a11=(a09*a10);
   a07=(a07+a11);
   a07=(a03*a07);
   a11=(a09*a04);
-  a12=arg[12]? arg[12][0] : 0;
+  a12=arg[9]? arg[9][0] : 0;
   a02=(a02*a12);
-  a13=(2.*a01);
-  a14=arg[15]? arg[15][0] : 0;
-  a13=(a13*a14);
-  a13=(a00*a13);
-  a02=(a02+a13);
-  a13=(a11*a02);
-  a07=(a07+a13);
-  a13=casadi_sq(a04);
-  a15=(a09*a13);
-  a16=4.;
-  a08=(a16*a08);
-  a17=(a08*a04);
-  a18=arg[2]? arg[2][0] : 0;
-  a19=(a17*a18);
-  a15=(a15+a19);
-  a19=casadi_sq(a18);
-  a20=(a09*a19);
-  a15=(a15+a20);
-  a20=(a18*a03);
-  a15=(a15+a20);
-  a07=(a07/a15);
+  a12=(2.*a01);
+  a13=arg[12]? arg[12][0] : 0;
+  a12=(a12*a13);
+  a00=(a00*a12);
+  a02=(a02+a00);
+  a00=(a11*a02);
+  a07=(a07+a00);
+  a00=casadi_sq(a04);
+  a12=(a09*a00);
+  a14=4.;
+  a08=(a14*a08);
+  a15=(a08*a04);
+  a16=arg[2]? arg[2][0] : 0;
+  a17=(a15*a16);
+  a12=(a12+a17);
+  a17=casadi_sq(a16);
+  a18=(a09*a17);
+  a12=(a12+a18);
+  a18=(a16*a03);
+  a12=(a12+a18);
+  a07=(a07/a12);
   a11=(a11*a03);
-  a11=(a11/a15);
-  a11=(a11/a15);
-  a13=(a13*a06);
-  a15=(2.*a04);
-  a15=(a15*a10);
-  a15=(a09*a15);
-  a13=(a13+a15);
-  a16=(a16*a05);
-  a16=(a04*a16);
+  a11=(a11/a12);
+  a11=(a11/a12);
+  a00=(a00*a06);
+  a12=(2.*a04);
+  a12=(a12*a10);
+  a12=(a09*a12);
+  a00=(a00+a12);
+  a14=(a14*a05);
+  a04=(a04*a14);
   a08=(a08*a10);
-  a16=(a16+a08);
-  a16=(a18*a16);
-  a08=arg[14]? arg[14][0] : 0;
-  a17=(a17*a08);
-  a16=(a16+a17);
-  a13=(a13+a16);
-  a19=(a19*a06);
-  a06=(2.*a18);
+  a04=(a04+a08);
+  a04=(a16*a04);
+  a08=arg[11]? arg[11][0] : 0;
+  a15=(a15*a08);
+  a04=(a04+a15);
+  a00=(a00+a04);
+  a17=(a17*a06);
+  a06=(2.*a16);
   a06=(a06*a08);
-  a06=(a09*a06);
-  a19=(a19+a06);
-  a13=(a13+a19);
+  a09=(a09*a06);
+  a17=(a17+a09);
+  a00=(a00+a17);
   a03=(a03*a08);
-  a02=(a18*a02);
-  a03=(a03+a02);
-  a13=(a13+a03);
-  a11=(a11*a13);
+  a16=(a16*a02);
+  a03=(a03+a16);
+  a00=(a00+a03);
+  a11=(a11*a00);
   a07=(a07-a11);
   a11=casadi_sq(a01);
-  a13=arg[4]? arg[4][0] : 0;
+  a00=arg[4]? arg[4][0] : 0;
   a03=arg[6]? arg[6][0] : 0;
-  a02=5.0000000000000000e-01;
-  a19=arg[17]? arg[17][0] : 0;
-  a19=(a02*a19);
-  a19=(a03*a19);
-  a06=arg[5]? arg[5][0] : 0;
-  a02=(a02*a06);
-  a06=arg[18]? arg[18][0] : 0;
-  a06=(a02*a06);
-  a19=(a19+a06);
-  a19=(a13*a19);
-  a02=(a02*a03);
-  a03=arg[16]? arg[16][0] : 0;
-  a03=(a02*a03);
-  a19=(a19+a03);
-  a11=(a11*a19);
-  a02=(a02*a13);
+  a16=5.0000000000000000e-01;
+  a02=arg[14]? arg[14][0] : 0;
+  a02=(a16*a02);
+  a02=(a03*a02);
+  a08=arg[5]? arg[5][0] : 0;
+  a16=(a16*a08);
+  a08=arg[15]? arg[15][0] : 0;
+  a08=(a16*a08);
+  a02=(a02+a08);
+  a02=(a00*a02);
+  a16=(a16*a03);
+  a03=arg[13]? arg[13][0] : 0;
+  a03=(a16*a03);
+  a02=(a02+a03);
+  a11=(a11*a02);
+  a16=(a16*a00);
   a01=(2.*a01);
-  a01=(a01*a14);
-  a01=(a02*a01);
-  a11=(a11+a01);
+  a01=(a01*a13);
+  a16=(a16*a01);
+  a11=(a11+a16);
   a07=(a07-a11);
   if (res[0]!=0) res[0][0]=a07;
-  a07=0.;
-  a09=sqrt(a09);
-  a00=sqrt(a00);
-  a11=casadi_fmax(a07,a04);
-  a11=sqrt(a11);
-  a01=(a00*a11);
-  a14=(a04+a18);
-  a02=sqrt(a02);
-  a13=(a14*a02);
-  a01=(a01-a13);
-  a13=(a09*a01);
-  a18=sqrt(a18);
-  a03=(a18*a00);
-  a13=(a13/a03);
-  a06=casadi_fmax(a07,a13);
-  a06=(2.*a06);
-  a16=(a07<=a13);
-  a17=(a13<=a07);
-  a17=(a17+a16);
-  a16=(a16/a17);
-  a05=(a05/a09);
-  a01=(a01*a05);
-  a17=(2.*a00);
-  a12=(a12/a17);
-  a17=(a11*a12);
-  a15=(a07<=a04);
-  a04=(a04<=a07);
-  a04=(a04+a15);
-  a15=(a15/a04);
-  a15=(a15*a10);
-  a11=(2.*a11);
-  a15=(a15/a11);
-  a15=(a00*a15);
-  a17=(a17+a15);
-  a10=(a10+a08);
-  a15=(a02*a10);
-  a02=(2.*a02);
-  a19=(a19/a02);
-  a19=(a14*a19);
-  a15=(a15+a19);
-  a17=(a17-a15);
-  a17=(a09*a17);
-  a01=(a01+a17);
-  a01=(a01/a03);
-  a03=(a13/a03);
-  a17=(2.*a18);
-  a08=(a08/a17);
-  a00=(a00*a08);
-  a12=(a18*a12);
-  a00=(a00+a12);
-  a03=(a03*a00);
-  a01=(a01-a03);
-  a16=(a16*a01);
-  a06=(a06*a16);
-  if (res[1]!=0) res[1][0]=a06;
-  a06=arg[8]? arg[8][0] : 0;
-  a06=sqrt(a06);
-  a13=(a06-a13);
-  a08=(a13*a08);
-  a16=arg[20]? arg[20][0] : 0;
-  a06=(2.*a06);
-  a16=(a16/a06);
-  a16=(a16-a01);
-  a16=(a18*a16);
-  a08=(a08+a16);
-  a14=sqrt(a14);
-  a16=(a14*a09);
-  a08=(a08/a16);
-  a18=(a18*a13);
-  a18=(a18/a16);
-  a18=(a18/a16);
-  a16=(2.*a14);
-  a10=(a10/a16);
-  a09=(a09*a10);
-  a14=(a14*a05);
-  a09=(a09+a14);
-  a18=(a18*a09);
-  a08=(a08-a18);
-  if (res[2]!=0) res[2][0]=a08;
   return 0;
 }
 
@@ -9666,9 +9560,9 @@ CASADI_SYMBOL_EXPORT void fwd1_tail_wheel_needed_incref(void) {
 CASADI_SYMBOL_EXPORT void fwd1_tail_wheel_needed_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_tail_wheel_needed_n_in(void) { return 21;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tail_wheel_needed_n_in(void) { return 17;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_tail_wheel_needed_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tail_wheel_needed_n_out(void) { return 1;}
 
 CASADI_SYMBOL_EXPORT casadi_real fwd1_tail_wheel_needed_default_in(casadi_int i) {
   switch (i) {
@@ -9686,19 +9580,15 @@ CASADI_SYMBOL_EXPORT const char* fwd1_tail_wheel_needed_name_in(casadi_int i) {
     case 5: return "Ap";
     case 6: return "CL_gamma";
     case 7: return "C_alpha";
-    case 8: return "Ct";
-    case 9: return "out_Ct_needed";
-    case 10: return "out_Ct_always";
-    case 11: return "out_speed_margin";
-    case 12: return "fwd_m";
-    case 13: return "fwd_a";
-    case 14: return "fwd_b";
-    case 15: return "fwd_u";
-    case 16: return "fwd_rho";
-    case 17: return "fwd_Ap";
-    case 18: return "fwd_CL_gamma";
-    case 19: return "fwd_C_alpha";
-    case 20: return "fwd_Ct";
+    case 8: return "out_Ct_needed";
+    case 9: return "fwd_m";
+    case 10: return "fwd_a";
+    case 11: return "fwd_b";
+    case 12: return "fwd_u";
+    case 13: return "fwd_rho";
+    case 14: return "fwd_Ap";
+    case 15: return "fwd_CL_gamma";
+    case 16: return "fwd_C_alpha";
     default: return 0;
   }
 }
@@ -9706,8 +9596,6 @@ CASADI_SYMBOL_EXPORT const char* fwd1_tail_wheel_needed_name_in(casadi_int i) {
 CASADI_SYMBOL_EXPORT const char* fwd1_tail_wheel_needed_name_out(casadi_int i) {
   switch (i) {
     case 0: return "fwd_Ct_needed";
-    case 1: return "fwd_Ct_always";
-    case 2: return "fwd_speed_margin";
     default: return 0;
   }
 }
@@ -9722,19 +9610,15 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tail_wheel_needed_sparsity_in(casadi
     case 5: return casadi_s0;
     case 6: return casadi_s0;
     case 7: return casadi_s0;
-    case 8: return casadi_s0;
-    case 9: return casadi_s1;
-    case 10: return casadi_s1;
-    case 11: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
     case 12: return casadi_s0;
     case 13: return casadi_s0;
     case 14: return casadi_s0;
     case 15: return casadi_s0;
     case 16: return casadi_s0;
-    case 17: return casadi_s0;
-    case 18: return casadi_s0;
-    case 19: return casadi_s0;
-    case 20: return casadi_s0;
     default: return 0;
   }
 }
@@ -9742,203 +9626,119 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tail_wheel_needed_sparsity_in(casadi
 CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tail_wheel_needed_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s0;
-    case 1: return casadi_s0;
-    case 2: return casadi_s0;
     default: return 0;
   }
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_needed_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 21;
-  if (sz_res) *sz_res = 3;
+  if (sz_arg) *sz_arg = 17;
+  if (sz_res) *sz_res = 1;
   if (sz_iw) *sz_iw = 0;
   if (sz_w) *sz_w = 0;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_needed_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 21*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 17*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 0*sizeof(casadi_real);
   return 0;
 }
 
-/* adj1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_needed[1x1,0nz],out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],adj_Ct_needed,adj_Ct_always,adj_speed_margin)->(adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
+/* adj1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,out_Ct_needed[1x1,0nz],adj_Ct_needed)->(adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha) */
 static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
-  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
-  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
-  casadi_real a36, a37, a38, a39, a40;
-  a00=0.;
-  a01=arg[1]? arg[1][0] : 0;
-  a02=casadi_fmax(a00,a01);
-  a02=sqrt(a02);
-  a03=arg[7]? arg[7][0] : 0;
-  a04=(2.*a03);
-  a05=sqrt(a04);
-  a06=arg[0]? arg[0][0] : 0;
-  a07=sqrt(a06);
-  a08=(a07*a02);
-  a09=arg[2]? arg[2][0] : 0;
-  a10=(a01+a09);
-  a11=5.0000000000000000e-01;
-  a12=arg[5]? arg[5][0] : 0;
-  a12=(a11*a12);
-  a13=arg[6]? arg[6][0] : 0;
-  a14=(a12*a13);
-  a15=arg[4]? arg[4][0] : 0;
-  a16=(a14*a15);
-  a17=sqrt(a16);
-  a18=(a10*a17);
-  a08=(a08-a18);
-  a18=(a05*a08);
-  a19=sqrt(a09);
-  a20=(a19*a07);
-  a18=(a18/a20);
-  a21=(a00<=a18);
-  a22=(a18<=a00);
-  a22=(a22+a21);
-  a21=(a21/a22);
-  a22=casadi_fmax(a00,a18);
-  a22=(2.*a22);
-  a23=arg[13]? arg[13][0] : 0;
-  a22=(a22*a23);
-  a21=(a21*a22);
-  a22=arg[14]? arg[14][0] : 0;
-  a23=sqrt(a10);
-  a24=(a23*a05);
-  a25=(a22/a24);
-  a26=(a19*a25);
-  a21=(a21-a26);
-  a27=(a21/a20);
-  a28=(a05*a27);
-  a29=(a02*a28);
-  a20=(a18/a20);
-  a20=(a20*a21);
-  a21=(a19*a20);
-  a29=(a29-a21);
-  a21=(2.*a07);
-  a29=(a29/a21);
-  a21=arg[3]? arg[3][0] : 0;
-  a30=casadi_sq(a21);
-  a31=(a04*a01);
-  a32=arg[12]? arg[12][0] : 0;
-  a33=casadi_sq(a01);
-  a34=(a04*a33);
-  a35=4.;
-  a03=(a35*a03);
-  a36=(a03*a01);
-  a37=(a36*a09);
-  a34=(a34+a37);
-  a37=casadi_sq(a09);
-  a38=(a04*a37);
-  a34=(a34+a38);
-  a38=(a06*a30);
-  a39=(a09*a38);
-  a34=(a34+a39);
-  a39=(a32/a34);
-  a40=(a31*a39);
-  a31=(a31*a38);
-  a31=(a31/a34);
-  a31=(a31/a34);
-  a31=(a31*a32);
-  a34=(a09*a31);
-  a40=(a40-a34);
-  a30=(a30*a40);
-  a29=(a29+a30);
-  if (res[0]!=0) res[0][0]=a29;
-  a29=(a00<=a01);
-  a00=(a01<=a00);
-  a00=(a00+a29);
-  a29=(a29/a00);
-  a00=(a07*a28);
-  a02=(2.*a02);
-  a00=(a00/a02);
-  a29=(a29*a00);
-  a00=arg[8]? arg[8][0] : 0;
-  a00=sqrt(a00);
-  a18=(a00-a18);
-  a02=(a19*a18);
-  a02=(a02/a24);
-  a02=(a02/a24);
-  a02=(a02*a22);
-  a22=(a05*a02);
-  a24=(2.*a23);
-  a22=(a22/a24);
-  a24=(a17*a28);
-  a22=(a22+a24);
-  a29=(a29-a22);
-  a24=(a09*a31);
-  a03=(a03*a24);
-  a29=(a29-a03);
-  a03=(2.*a01);
-  a30=(a04*a31);
-  a03=(a03*a30);
-  a29=(a29-a03);
-  a39=(a38*a39);
-  a03=(a04*a39);
-  a29=(a29+a03);
-  if (res[1]!=0) res[1][0]=a29;
-  a18=(a18*a25);
-  a07=(a07*a20);
-  a18=(a18-a07);
-  a19=(2.*a19);
-  a18=(a18/a19);
-  a18=(a18-a22);
-  a38=(a38*a31);
-  a18=(a18-a38);
-  a09=(2.*a09);
-  a04=(a04*a31);
-  a09=(a09*a04);
-  a18=(a18-a09);
-  a36=(a36*a31);
-  a18=(a18-a36);
-  if (res[2]!=0) res[2][0]=a18;
-  a18=(2.*a21);
-  a06=(a06*a40);
-  a18=(a18*a06);
-  a06=(2.*a21);
-  a16=(a16*a32);
-  a06=(a06*a16);
-  a18=(a18-a06);
-  if (res[3]!=0) res[3][0]=a18;
-  a10=(a10*a28);
-  a17=(2.*a17);
-  a10=(a10/a17);
-  a21=casadi_sq(a21);
-  a21=(a21*a32);
-  a10=(a10+a21);
-  a14=(a14*a10);
+  casadi_real a12, a13, a14, a15, a16, a17, a18;
+  a00=arg[3]? arg[3][0] : 0;
+  a01=casadi_sq(a00);
+  a02=arg[7]? arg[7][0] : 0;
+  a03=(2.*a02);
+  a04=arg[1]? arg[1][0] : 0;
+  a05=(a03*a04);
+  a06=arg[9]? arg[9][0] : 0;
+  a07=casadi_sq(a04);
+  a08=(a03*a07);
+  a09=4.;
+  a02=(a09*a02);
+  a10=(a02*a04);
+  a11=arg[2]? arg[2][0] : 0;
+  a12=(a10*a11);
+  a08=(a08+a12);
+  a12=casadi_sq(a11);
+  a13=(a03*a12);
+  a08=(a08+a13);
+  a13=arg[0]? arg[0][0] : 0;
+  a14=(a13*a01);
+  a15=(a11*a14);
+  a08=(a08+a15);
+  a15=(a06/a08);
+  a16=(a05*a15);
+  a05=(a05*a14);
+  a05=(a05/a08);
+  a05=(a05/a08);
+  a05=(a05*a06);
+  a08=(a11*a05);
+  a16=(a16-a08);
+  a01=(a01*a16);
+  if (res[0]!=0) res[0][0]=a01;
+  a15=(a14*a15);
+  a01=(a03*a15);
+  a08=(a11*a05);
+  a02=(a02*a08);
+  a17=(2.*a04);
+  a18=(a03*a05);
+  a17=(a17*a18);
+  a02=(a02+a17);
+  a01=(a01-a02);
+  if (res[1]!=0) res[1][0]=a01;
+  a14=(a14*a05);
+  a11=(2.*a11);
+  a03=(a03*a05);
+  a11=(a11*a03);
+  a14=(a14+a11);
+  a10=(a10*a05);
+  a14=(a14+a10);
   a14=(-a14);
-  if (res[4]!=0) res[4][0]=a14;
-  a15=(a15*a10);
-  a13=(a13*a15);
-  a11=(a11*a13);
-  a11=(-a11);
-  if (res[5]!=0) res[5][0]=a11;
-  a12=(a12*a15);
-  a12=(-a12);
-  if (res[6]!=0) res[6][0]=a12;
-  a08=(a08*a27);
-  a23=(a23*a02);
-  a08=(a08-a23);
-  a05=(2.*a05);
-  a08=(a08/a05);
-  a37=(a37*a31);
-  a08=(a08-a37);
-  a33=(a33*a31);
-  a08=(a08-a33);
-  a39=(a01*a39);
-  a08=(a08+a39);
-  a08=(2.*a08);
-  a01=(a01*a24);
-  a35=(a35*a01);
-  a08=(a08-a35);
-  if (res[7]!=0) res[7][0]=a08;
-  a00=(2.*a00);
-  a26=(a26/a00);
-  if (res[8]!=0) res[8][0]=a26;
+  if (res[2]!=0) res[2][0]=a14;
+  a14=(2.*a00);
+  a13=(a13*a16);
+  a14=(a14*a13);
+  a13=(2.*a00);
+  a16=5.0000000000000000e-01;
+  a10=arg[5]? arg[5][0] : 0;
+  a10=(a16*a10);
+  a11=arg[6]? arg[6][0] : 0;
+  a03=(a10*a11);
+  a01=arg[4]? arg[4][0] : 0;
+  a02=(a03*a01);
+  a02=(a02*a06);
+  a13=(a13*a02);
+  a14=(a14-a13);
+  if (res[3]!=0) res[3][0]=a14;
+  a00=casadi_sq(a00);
+  a00=(a00*a06);
+  a03=(a03*a00);
+  a03=(-a03);
+  if (res[4]!=0) res[4][0]=a03;
+  a01=(a01*a00);
+  a11=(a11*a01);
+  a16=(a16*a11);
+  a16=(-a16);
+  if (res[5]!=0) res[5][0]=a16;
+  a10=(a10*a01);
+  a10=(-a10);
+  if (res[6]!=0) res[6][0]=a10;
+  a15=(a04*a15);
+  a12=(a12*a05);
+  a07=(a07*a05);
+  a12=(a12+a07);
+  a15=(a15-a12);
+  a15=(2.*a15);
+  a04=(a04*a08);
+  a09=(a09*a04);
+  a15=(a15-a09);
+  if (res[7]!=0) res[7][0]=a15;
   return 0;
 }
 
@@ -9959,9 +9759,9 @@ CASADI_SYMBOL_EXPORT void adj1_tail_wheel_needed_incref(void) {
 CASADI_SYMBOL_EXPORT void adj1_tail_wheel_needed_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_tail_wheel_needed_n_in(void) { return 15;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_tail_wheel_needed_n_in(void) { return 10;}
 
-CASADI_SYMBOL_EXPORT casadi_int adj1_tail_wheel_needed_n_out(void) { return 9;}
+CASADI_SYMBOL_EXPORT casadi_int adj1_tail_wheel_needed_n_out(void) { return 8;}
 
 CASADI_SYMBOL_EXPORT casadi_real adj1_tail_wheel_needed_default_in(casadi_int i) {
   switch (i) {
@@ -9979,13 +9779,8 @@ CASADI_SYMBOL_EXPORT const char* adj1_tail_wheel_needed_name_in(casadi_int i) {
     case 5: return "Ap";
     case 6: return "CL_gamma";
     case 7: return "C_alpha";
-    case 8: return "Ct";
-    case 9: return "out_Ct_needed";
-    case 10: return "out_Ct_always";
-    case 11: return "out_speed_margin";
-    case 12: return "adj_Ct_needed";
-    case 13: return "adj_Ct_always";
-    case 14: return "adj_speed_margin";
+    case 8: return "out_Ct_needed";
+    case 9: return "adj_Ct_needed";
     default: return 0;
   }
 }
@@ -10000,7 +9795,6 @@ CASADI_SYMBOL_EXPORT const char* adj1_tail_wheel_needed_name_out(casadi_int i) {
     case 5: return "adj_Ap";
     case 6: return "adj_CL_gamma";
     case 7: return "adj_C_alpha";
-    case 8: return "adj_Ct";
     default: return 0;
   }
 }
@@ -10015,13 +9809,8 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_tail_wheel_needed_sparsity_in(casadi
     case 5: return casadi_s0;
     case 6: return casadi_s0;
     case 7: return casadi_s0;
-    case 8: return casadi_s0;
-    case 9: return casadi_s1;
-    case 10: return casadi_s1;
-    case 11: return casadi_s1;
-    case 12: return casadi_s0;
-    case 13: return casadi_s0;
-    case 14: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
     default: return 0;
   }
 }
@@ -10036,497 +9825,256 @@ CASADI_SYMBOL_EXPORT const casadi_int* adj1_tail_wheel_needed_sparsity_out(casad
     case 5: return casadi_s0;
     case 6: return casadi_s0;
     case 7: return casadi_s0;
-    case 8: return casadi_s0;
     default: return 0;
   }
 }
 
 CASADI_SYMBOL_EXPORT int adj1_tail_wheel_needed_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 15;
-  if (sz_res) *sz_res = 9;
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
   if (sz_w) *sz_w = 0;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int adj1_tail_wheel_needed_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 15*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 9*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 0*sizeof(casadi_real);
   return 0;
 }
 
-/* fwd1_adj1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_needed[1x1,0nz],out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],adj_Ct_needed,adj_Ct_always,adj_speed_margin,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_Ct_needed[1x1,0nz],fwd_out_Ct_always[1x1,0nz],fwd_out_speed_margin[1x1,0nz],fwd_adj_Ct_needed,fwd_adj_Ct_always,fwd_adj_speed_margin)->(fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
+/* fwd1_adj1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,out_Ct_needed[1x1,0nz],adj_Ct_needed,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_out_Ct_needed[1x1,0nz],fwd_adj_Ct_needed)->(fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha) */
 static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
-  casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
-  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
-  casadi_real a60, a61, a62, a63, a64, a65, a66, a67, a68, a69, a70, a71;
-  casadi_real a72, a73, a74, a75, a76, a77, a78, a79, a80, a81, a82, a83;
+  casadi_real a36, a37, a38;
   a00=arg[7]? arg[7][0] : 0;
   a01=(2.*a00);
-  a02=sqrt(a01);
-  a03=0.;
-  a04=arg[0]? arg[0][0] : 0;
-  a05=sqrt(a04);
-  a06=arg[1]? arg[1][0] : 0;
-  a07=casadi_fmax(a03,a06);
-  a07=sqrt(a07);
-  a08=(a05*a07);
+  a02=arg[1]? arg[1][0] : 0;
+  a03=(a01*a02);
+  a04=arg[9]? arg[9][0] : 0;
+  a05=casadi_sq(a02);
+  a06=(a01*a05);
+  a07=4.;
+  a00=(a07*a00);
+  a08=(a00*a02);
   a09=arg[2]? arg[2][0] : 0;
-  a10=(a06+a09);
-  a11=5.0000000000000000e-01;
-  a12=arg[5]? arg[5][0] : 0;
-  a12=(a11*a12);
-  a13=arg[6]? arg[6][0] : 0;
-  a14=(a12*a13);
-  a15=arg[4]? arg[4][0] : 0;
-  a16=(a14*a15);
-  a17=sqrt(a16);
-  a18=(a10*a17);
-  a08=(a08-a18);
-  a18=(a02*a08);
-  a19=sqrt(a09);
-  a20=(a19*a05);
-  a18=(a18/a20);
-  a21=(a03<=a18);
-  a22=(a18<=a03);
-  a22=(a22+a21);
-  a21=(a21/a22);
-  a22=casadi_fmax(a03,a18);
-  a22=(2.*a22);
-  a23=arg[13]? arg[13][0] : 0;
-  a24=(a22*a23);
-  a24=(a21*a24);
-  a25=arg[14]? arg[14][0] : 0;
-  a26=sqrt(a10);
-  a27=(a26*a02);
-  a28=(a25/a27);
-  a29=(a19*a28);
-  a24=(a24-a29);
-  a30=(a24/a20);
-  a31=(a02*a30);
-  a32=(a03<=a06);
-  a33=(a06<=a03);
-  a33=(a33+a32);
-  a32=(a32/a33);
-  a33=arg[25]? arg[25][0] : 0;
-  a32=(a32*a33);
-  a34=(2.*a07);
-  a32=(a32/a34);
-  a34=(a31*a32);
-  a35=arg[31]? arg[31][0] : 0;
-  a36=(a35/a02);
-  a37=(a30*a36);
-  a38=(a03<=a18);
-  a39=(a18<=a03);
-  a39=(a39+a38);
-  a38=(a38/a39);
-  a39=(a08*a36);
-  a40=arg[24]? arg[24][0] : 0;
-  a41=(2.*a05);
-  a41=(a40/a41);
-  a42=(a07*a41);
-  a43=(a05*a32);
-  a42=(a42+a43);
-  a43=arg[26]? arg[26][0] : 0;
-  a44=(a33+a43);
-  a45=(a17*a44);
-  a46=arg[29]? arg[29][0] : 0;
-  a46=(a11*a46);
-  a47=(a13*a46);
-  a48=arg[30]? arg[30][0] : 0;
-  a49=(a12*a48);
-  a47=(a47+a49);
-  a49=(a15*a47);
-  a50=arg[28]? arg[28][0] : 0;
-  a51=(a14*a50);
-  a49=(a49+a51);
-  a51=(2.*a17);
-  a51=(a49/a51);
-  a52=(a10*a51);
-  a45=(a45+a52);
-  a42=(a42-a45);
-  a45=(a02*a42);
-  a39=(a39+a45);
-  a39=(a39/a20);
-  a45=(a18/a20);
-  a52=(2.*a19);
-  a52=(a43/a52);
-  a53=(a05*a52);
-  a54=(a19*a41);
-  a53=(a53+a54);
-  a45=(a45*a53);
-  a39=(a39-a45);
-  a38=(a38*a39);
-  a38=(2.*a38);
-  a23=(a23*a38);
-  a38=arg[37]? arg[37][0] : 0;
-  a22=(a22*a38);
-  a23=(a23+a22);
-  a21=(a21*a23);
-  a23=(a28*a52);
-  a22=arg[38]? arg[38][0] : 0;
-  a38=(a22/a27);
-  a45=(a28/a27);
-  a54=(2.*a26);
-  a54=(a44/a54);
-  a55=(a02*a54);
-  a56=(a26*a36);
-  a55=(a55+a56);
-  a45=(a45*a55);
-  a38=(a38-a45);
-  a45=(a19*a38);
-  a23=(a23+a45);
-  a21=(a21-a23);
-  a45=(a21/a20);
-  a56=(a30/a20);
-  a56=(a56*a53);
-  a45=(a45-a56);
-  a56=(a02*a45);
-  a37=(a37+a56);
-  a56=(a07*a37);
-  a34=(a34+a56);
-  a56=(a18/a20);
-  a57=(a56*a24);
-  a58=(a57*a52);
-  a59=(a39/a20);
-  a20=(a56/a20);
-  a20=(a20*a53);
-  a59=(a59-a20);
-  a24=(a24*a59);
-  a56=(a56*a21);
-  a24=(a24+a56);
-  a56=(a19*a24);
-  a58=(a58+a56);
-  a34=(a34-a58);
-  a58=(2.*a05);
-  a34=(a34/a58);
-  a56=(a07*a31);
-  a21=(a19*a57);
-  a56=(a56-a21);
-  a56=(a56/a58);
-  a56=(a56/a58);
-  a58=(2.*a41);
-  a56=(a56*a58);
-  a34=(a34-a56);
-  a56=(a01*a06);
-  a58=arg[12]? arg[12][0] : 0;
-  a21=casadi_sq(a06);
-  a59=(a01*a21);
-  a20=4.;
-  a00=(a20*a00);
-  a53=(a00*a06);
-  a60=(a53*a09);
-  a59=(a59+a60);
-  a60=casadi_sq(a09);
-  a61=(a01*a60);
-  a59=(a59+a61);
-  a61=arg[3]? arg[3][0] : 0;
-  a62=casadi_sq(a61);
-  a63=(a04*a62);
-  a64=(a09*a63);
-  a59=(a59+a64);
-  a64=(a58/a59);
-  a65=(a56*a64);
-  a66=(a56*a63);
-  a66=(a66/a59);
-  a67=(a66/a59);
-  a68=(a67*a58);
-  a69=(a09*a68);
-  a65=(a65-a69);
-  a69=(2.*a61);
-  a70=arg[27]? arg[27][0] : 0;
-  a69=(a69*a70);
-  a71=(a65*a69);
-  a72=(2.*a35);
-  a73=(a06*a72);
-  a74=(a01*a33);
-  a73=(a73+a74);
-  a74=(a64*a73);
-  a75=arg[36]? arg[36][0] : 0;
-  a76=(a75/a59);
-  a77=(a64/a59);
-  a78=(a21*a72);
-  a79=(2.*a06);
-  a79=(a79*a33);
-  a80=(a01*a79);
-  a78=(a78+a80);
-  a35=(a20*a35);
-  a80=(a06*a35);
-  a81=(a00*a33);
-  a80=(a80+a81);
-  a81=(a09*a80);
-  a82=(a53*a43);
-  a81=(a81+a82);
-  a78=(a78+a81);
-  a81=(a60*a72);
-  a82=(2.*a09);
-  a82=(a82*a43);
-  a83=(a01*a82);
-  a81=(a81+a83);
-  a78=(a78+a81);
-  a81=(a63*a43);
-  a83=(a62*a40);
-  a69=(a04*a69);
-  a83=(a83+a69);
-  a69=(a09*a83);
-  a81=(a81+a69);
-  a78=(a78+a81);
-  a77=(a77*a78);
-  a76=(a76-a77);
-  a77=(a56*a76);
-  a74=(a74+a77);
-  a77=(a68*a43);
-  a73=(a63*a73);
-  a56=(a56*a83);
-  a73=(a73+a56);
-  a73=(a73/a59);
-  a66=(a66/a59);
-  a66=(a66*a78);
-  a73=(a73-a66);
-  a73=(a73/a59);
-  a59=(a67/a59);
-  a59=(a59*a78);
-  a73=(a73-a59);
-  a73=(a58*a73);
-  a67=(a67*a75);
-  a73=(a73+a67);
-  a67=(a09*a73);
-  a77=(a77+a67);
-  a74=(a74-a77);
-  a62=(a62*a74);
-  a71=(a71+a62);
-  a34=(a34+a71);
-  if (res[0]!=0) res[0][0]=a34;
-  a34=(a03<=a06);
-  a03=(a06<=a03);
-  a03=(a03+a34);
-  a34=(a34/a03);
-  a03=(a31*a41);
-  a71=(a05*a37);
-  a03=(a03+a71);
-  a07=(2.*a07);
-  a03=(a03/a07);
-  a71=(a05*a31);
-  a71=(a71/a07);
-  a71=(a71/a07);
-  a32=(2.*a32);
-  a71=(a71*a32);
-  a03=(a03-a71);
-  a34=(a34*a03);
-  a03=arg[8]? arg[8][0] : 0;
-  a03=sqrt(a03);
-  a18=(a03-a18);
-  a71=(a19*a18);
-  a71=(a71/a27);
-  a32=(a71/a27);
-  a07=(a32*a25);
-  a62=(a07*a36);
-  a77=(a18*a52);
-  a67=arg[32]? arg[32][0] : 0;
-  a59=(2.*a03);
-  a67=(a67/a59);
-  a39=(a67-a39);
-  a59=(a19*a39);
-  a77=(a77+a59);
-  a77=(a77/a27);
-  a71=(a71/a27);
-  a71=(a71*a55);
-  a77=(a77-a71);
-  a77=(a77/a27);
-  a27=(a32/a27);
-  a27=(a27*a55);
-  a77=(a77-a27);
-  a25=(a25*a77);
-  a32=(a32*a22);
-  a25=(a25+a32);
-  a32=(a02*a25);
-  a62=(a62+a32);
-  a32=(2.*a26);
-  a62=(a62/a32);
-  a22=(a02*a07);
-  a22=(a22/a32);
-  a22=(a22/a32);
-  a32=(2.*a54);
-  a22=(a22*a32);
-  a62=(a62-a22);
-  a22=(a31*a51);
-  a32=(a17*a37);
-  a22=(a22+a32);
-  a62=(a62+a22);
-  a34=(a34-a62);
-  a22=(a09*a68);
-  a35=(a22*a35);
-  a32=(a68*a43);
-  a77=(a09*a73);
-  a32=(a32+a77);
-  a00=(a00*a32);
-  a35=(a35+a00);
-  a34=(a34-a35);
-  a35=(a01*a68);
-  a00=(2.*a33);
-  a35=(a35*a00);
-  a00=(2.*a06);
-  a77=(a68*a72);
-  a27=(a01*a73);
-  a77=(a77+a27);
-  a00=(a00*a77);
-  a35=(a35+a00);
-  a34=(a34-a35);
-  a35=(a63*a64);
-  a00=(a35*a72);
-  a64=(a64*a83);
-  a76=(a63*a76);
-  a64=(a64+a76);
-  a76=(a01*a64);
-  a00=(a00+a76);
-  a34=(a34+a00);
-  if (res[1]!=0) res[1][0]=a34;
-  a39=(a28*a39);
-  a38=(a18*a38);
-  a39=(a39+a38);
-  a41=(a57*a41);
-  a24=(a05*a24);
-  a41=(a41+a24);
-  a39=(a39-a41);
-  a19=(2.*a19);
-  a39=(a39/a19);
+  a10=(a08*a09);
+  a06=(a06+a10);
+  a10=casadi_sq(a09);
+  a11=(a01*a10);
+  a06=(a06+a11);
+  a11=arg[0]? arg[0][0] : 0;
+  a12=arg[3]? arg[3][0] : 0;
+  a13=casadi_sq(a12);
+  a14=(a11*a13);
+  a15=(a09*a14);
+  a06=(a06+a15);
+  a15=(a04/a06);
+  a16=(a03*a15);
+  a17=(a03*a14);
+  a17=(a17/a06);
+  a18=(a17/a06);
+  a19=(a18*a04);
+  a20=(a09*a19);
+  a16=(a16-a20);
+  a20=(2.*a12);
+  a21=arg[21]? arg[21][0] : 0;
+  a20=(a20*a21);
+  a22=(a16*a20);
+  a23=arg[25]? arg[25][0] : 0;
+  a24=(2.*a23);
+  a25=(a02*a24);
+  a26=arg[19]? arg[19][0] : 0;
+  a27=(a01*a26);
+  a25=(a25+a27);
+  a27=(a15*a25);
+  a28=arg[27]? arg[27][0] : 0;
+  a29=(a28/a06);
+  a30=(a15/a06);
+  a31=(a05*a24);
+  a32=(2.*a02);
+  a32=(a32*a26);
+  a33=(a01*a32);
+  a31=(a31+a33);
+  a23=(a07*a23);
+  a33=(a02*a23);
+  a34=(a00*a26);
+  a33=(a33+a34);
+  a34=(a09*a33);
+  a35=arg[20]? arg[20][0] : 0;
+  a36=(a08*a35);
+  a34=(a34+a36);
+  a31=(a31+a34);
+  a34=(a10*a24);
+  a36=(2.*a09);
+  a36=(a36*a35);
+  a37=(a01*a36);
+  a34=(a34+a37);
+  a31=(a31+a34);
+  a34=(a14*a35);
+  a37=arg[18]? arg[18][0] : 0;
+  a38=(a13*a37);
+  a20=(a11*a20);
+  a38=(a38+a20);
+  a20=(a09*a38);
+  a34=(a34+a20);
+  a31=(a31+a34);
+  a30=(a30*a31);
+  a29=(a29-a30);
+  a30=(a03*a29);
+  a27=(a27+a30);
+  a30=(a19*a35);
+  a25=(a14*a25);
+  a03=(a03*a38);
+  a25=(a25+a03);
+  a25=(a25/a06);
+  a17=(a17/a06);
+  a17=(a17*a31);
+  a25=(a25-a17);
+  a25=(a25/a06);
+  a06=(a18/a06);
+  a06=(a06*a31);
+  a25=(a25-a06);
+  a25=(a04*a25);
   a18=(a18*a28);
-  a05=(a05*a57);
-  a18=(a18-a05);
-  a18=(a18/a19);
-  a18=(a18/a19);
-  a52=(2.*a52);
-  a18=(a18*a52);
-  a39=(a39-a18);
-  a39=(a39-a62);
-  a83=(a68*a83);
-  a63=(a63*a73);
-  a83=(a83+a63);
-  a39=(a39-a83);
-  a83=(a01*a68);
-  a43=(2.*a43);
-  a83=(a83*a43);
+  a25=(a25+a18);
+  a18=(a09*a25);
+  a30=(a30+a18);
+  a27=(a27-a30);
+  a13=(a13*a27);
+  a22=(a22+a13);
+  if (res[0]!=0) res[0][0]=a22;
+  a22=(a14*a15);
+  a13=(a22*a24);
+  a15=(a15*a38);
+  a29=(a14*a29);
+  a15=(a15+a29);
+  a29=(a01*a15);
+  a13=(a13+a29);
+  a29=(a09*a19);
+  a23=(a29*a23);
+  a30=(a19*a35);
+  a18=(a09*a25);
+  a30=(a30+a18);
+  a00=(a00*a30);
+  a23=(a23+a00);
+  a00=(a01*a19);
+  a18=(2.*a26);
+  a00=(a00*a18);
+  a18=(2.*a02);
+  a06=(a19*a24);
+  a31=(a01*a25);
+  a06=(a06+a31);
+  a18=(a18*a06);
+  a00=(a00+a18);
+  a23=(a23+a00);
+  a13=(a13-a23);
+  if (res[1]!=0) res[1][0]=a13;
+  a38=(a19*a38);
+  a14=(a14*a25);
+  a38=(a38+a14);
+  a14=(a01*a19);
+  a35=(2.*a35);
+  a14=(a14*a35);
   a09=(2.*a09);
-  a72=(a68*a72);
-  a01=(a01*a73);
-  a72=(a72+a01);
-  a09=(a09*a72);
-  a83=(a83+a09);
-  a39=(a39-a83);
-  a80=(a68*a80);
-  a53=(a53*a73);
-  a80=(a80+a53);
-  a39=(a39-a80);
-  if (res[2]!=0) res[2][0]=a39;
-  a39=(a04*a65);
-  a80=(2.*a70);
-  a39=(a39*a80);
-  a80=(2.*a61);
-  a65=(a65*a40);
-  a04=(a04*a74);
-  a65=(a65+a04);
-  a80=(a80*a65);
-  a39=(a39+a80);
-  a80=(a16*a58);
-  a65=(2.*a70);
-  a80=(a80*a65);
-  a65=(2.*a61);
-  a49=(a58*a49);
-  a16=(a16*a75);
-  a49=(a49+a16);
-  a65=(a65*a49);
-  a80=(a80+a65);
-  a39=(a39-a80);
-  if (res[3]!=0) res[3][0]=a39;
-  a39=(a10*a31);
-  a17=(2.*a17);
-  a39=(a39/a17);
-  a80=casadi_sq(a61);
-  a65=(a80*a58);
-  a65=(a39+a65);
-  a47=(a65*a47);
-  a31=(a31*a44);
-  a10=(a10*a37);
-  a31=(a31+a10);
-  a31=(a31/a17);
-  a39=(a39/a17);
-  a51=(2.*a51);
-  a39=(a39*a51);
-  a31=(a31-a39);
-  a61=(2.*a61);
-  a61=(a61*a70);
-  a58=(a58*a61);
-  a80=(a80*a75);
-  a58=(a58+a80);
-  a31=(a31+a58);
-  a14=(a14*a31);
-  a47=(a47+a14);
-  a47=(-a47);
-  if (res[4]!=0) res[4][0]=a47;
-  a47=(a15*a65);
-  a48=(a47*a48);
-  a65=(a65*a50);
-  a15=(a15*a31);
-  a65=(a65+a15);
-  a13=(a13*a65);
-  a48=(a48+a13);
-  a11=(a11*a48);
-  a11=(-a11);
-  if (res[5]!=0) res[5][0]=a11;
-  a47=(a47*a46);
-  a12=(a12*a65);
-  a47=(a47+a12);
-  a47=(-a47);
-  if (res[6]!=0) res[6][0]=a47;
-  a42=(a30*a42);
-  a45=(a08*a45);
-  a42=(a42+a45);
-  a54=(a07*a54);
-  a25=(a26*a25);
-  a54=(a54+a25);
-  a42=(a42-a54);
-  a02=(2.*a02);
-  a42=(a42/a02);
-  a08=(a08*a30);
-  a26=(a26*a07);
-  a08=(a08-a26);
-  a08=(a08/a02);
-  a08=(a08/a02);
-  a36=(2.*a36);
-  a08=(a08*a36);
-  a42=(a42-a08);
-  a82=(a68*a82);
-  a60=(a60*a73);
-  a82=(a82+a60);
-  a42=(a42-a82);
-  a68=(a68*a79);
-  a21=(a21*a73);
-  a68=(a68+a21);
-  a42=(a42-a68);
-  a35=(a35*a33);
-  a64=(a06*a64);
-  a35=(a35+a64);
-  a42=(a42+a35);
-  a42=(2.*a42);
-  a22=(a22*a33);
-  a06=(a06*a32);
-  a22=(a22+a06);
-  a20=(a20*a22);
-  a42=(a42-a20);
-  if (res[7]!=0) res[7][0]=a42;
-  a03=(2.*a03);
-  a23=(a23/a03);
-  a29=(a29/a03);
-  a29=(a29/a03);
-  a67=(2.*a67);
-  a29=(a29*a67);
-  a23=(a23-a29);
-  if (res[8]!=0) res[8][0]=a23;
+  a24=(a19*a24);
+  a01=(a01*a25);
+  a24=(a24+a01);
+  a09=(a09*a24);
+  a14=(a14+a09);
+  a38=(a38+a14);
+  a33=(a19*a33);
+  a08=(a08*a25);
+  a33=(a33+a08);
+  a38=(a38+a33);
+  a38=(-a38);
+  if (res[2]!=0) res[2][0]=a38;
+  a38=(a11*a16);
+  a33=(2.*a21);
+  a38=(a38*a33);
+  a33=(2.*a12);
+  a16=(a16*a37);
+  a11=(a11*a27);
+  a16=(a16+a11);
+  a33=(a33*a16);
+  a38=(a38+a33);
+  a33=5.0000000000000000e-01;
+  a16=arg[5]? arg[5][0] : 0;
+  a16=(a33*a16);
+  a11=arg[6]? arg[6][0] : 0;
+  a27=(a16*a11);
+  a37=arg[4]? arg[4][0] : 0;
+  a08=(a27*a37);
+  a14=(a08*a04);
+  a09=(2.*a21);
+  a14=(a14*a09);
+  a09=(2.*a12);
+  a24=arg[23]? arg[23][0] : 0;
+  a24=(a33*a24);
+  a01=(a11*a24);
+  a35=arg[24]? arg[24][0] : 0;
+  a13=(a16*a35);
+  a01=(a01+a13);
+  a13=(a37*a01);
+  a23=arg[22]? arg[22][0] : 0;
+  a00=(a27*a23);
+  a13=(a13+a00);
+  a13=(a04*a13);
+  a08=(a08*a28);
+  a13=(a13+a08);
+  a09=(a09*a13);
+  a14=(a14+a09);
+  a38=(a38-a14);
+  if (res[3]!=0) res[3][0]=a38;
+  a38=casadi_sq(a12);
+  a14=(a38*a04);
+  a01=(a14*a01);
+  a12=(2.*a12);
+  a12=(a12*a21);
+  a04=(a04*a12);
+  a38=(a38*a28);
+  a04=(a04+a38);
+  a27=(a27*a04);
+  a01=(a01+a27);
+  a01=(-a01);
+  if (res[4]!=0) res[4][0]=a01;
+  a01=(a37*a14);
+  a35=(a01*a35);
+  a14=(a14*a23);
+  a37=(a37*a04);
+  a14=(a14+a37);
+  a11=(a11*a14);
+  a35=(a35+a11);
+  a33=(a33*a35);
+  a33=(-a33);
+  if (res[5]!=0) res[5][0]=a33;
+  a01=(a01*a24);
+  a16=(a16*a14);
+  a01=(a01+a16);
+  a01=(-a01);
+  if (res[6]!=0) res[6][0]=a01;
+  a22=(a22*a26);
+  a15=(a02*a15);
+  a22=(a22+a15);
+  a36=(a19*a36);
+  a10=(a10*a25);
+  a36=(a36+a10);
+  a19=(a19*a32);
+  a05=(a05*a25);
+  a19=(a19+a05);
+  a36=(a36+a19);
+  a22=(a22-a36);
+  a22=(2.*a22);
+  a29=(a29*a26);
+  a02=(a02*a30);
+  a29=(a29+a02);
+  a07=(a07*a29);
+  a22=(a22-a07);
+  if (res[7]!=0) res[7][0]=a22;
   return 0;
 }
 
@@ -10547,9 +10095,9 @@ CASADI_SYMBOL_EXPORT void fwd1_adj1_tail_wheel_needed_incref(void) {
 CASADI_SYMBOL_EXPORT void fwd1_adj1_tail_wheel_needed_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tail_wheel_needed_n_in(void) { return 39;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tail_wheel_needed_n_in(void) { return 28;}
 
-CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tail_wheel_needed_n_out(void) { return 9;}
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tail_wheel_needed_n_out(void) { return 8;}
 
 CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_tail_wheel_needed_default_in(casadi_int i) {
   switch (i) {
@@ -10567,37 +10115,26 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tail_wheel_needed_name_in(casadi_int 
     case 5: return "Ap";
     case 6: return "CL_gamma";
     case 7: return "C_alpha";
-    case 8: return "Ct";
-    case 9: return "out_Ct_needed";
-    case 10: return "out_Ct_always";
-    case 11: return "out_speed_margin";
-    case 12: return "adj_Ct_needed";
-    case 13: return "adj_Ct_always";
-    case 14: return "adj_speed_margin";
-    case 15: return "out_adj_m";
-    case 16: return "out_adj_a";
-    case 17: return "out_adj_b";
-    case 18: return "out_adj_u";
-    case 19: return "out_adj_rho";
-    case 20: return "out_adj_Ap";
-    case 21: return "out_adj_CL_gamma";
-    case 22: return "out_adj_C_alpha";
-    case 23: return "out_adj_Ct";
-    case 24: return "fwd_m";
-    case 25: return "fwd_a";
-    case 26: return "fwd_b";
-    case 27: return "fwd_u";
-    case 28: return "fwd_rho";
-    case 29: return "fwd_Ap";
-    case 30: return "fwd_CL_gamma";
-    case 31: return "fwd_C_alpha";
-    case 32: return "fwd_Ct";
-    case 33: return "fwd_out_Ct_needed";
-    case 34: return "fwd_out_Ct_always";
-    case 35: return "fwd_out_speed_margin";
-    case 36: return "fwd_adj_Ct_needed";
-    case 37: return "fwd_adj_Ct_always";
-    case 38: return "fwd_adj_speed_margin";
+    case 8: return "out_Ct_needed";
+    case 9: return "adj_Ct_needed";
+    case 10: return "out_adj_m";
+    case 11: return "out_adj_a";
+    case 12: return "out_adj_b";
+    case 13: return "out_adj_u";
+    case 14: return "out_adj_rho";
+    case 15: return "out_adj_Ap";
+    case 16: return "out_adj_CL_gamma";
+    case 17: return "out_adj_C_alpha";
+    case 18: return "fwd_m";
+    case 19: return "fwd_a";
+    case 20: return "fwd_b";
+    case 21: return "fwd_u";
+    case 22: return "fwd_rho";
+    case 23: return "fwd_Ap";
+    case 24: return "fwd_CL_gamma";
+    case 25: return "fwd_C_alpha";
+    case 26: return "fwd_out_Ct_needed";
+    case 27: return "fwd_adj_Ct_needed";
     default: return 0;
   }
 }
@@ -10612,7 +10149,6 @@ CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tail_wheel_needed_name_out(casadi_int
     case 5: return "fwd_adj_Ap";
     case 6: return "fwd_adj_CL_gamma";
     case 7: return "fwd_adj_C_alpha";
-    case 8: return "fwd_adj_Ct";
     default: return 0;
   }
 }
@@ -10627,37 +10163,26 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tail_wheel_needed_sparsity_in(c
     case 5: return casadi_s0;
     case 6: return casadi_s0;
     case 7: return casadi_s0;
-    case 8: return casadi_s0;
-    case 9: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
     case 10: return casadi_s1;
     case 11: return casadi_s1;
-    case 12: return casadi_s0;
-    case 13: return casadi_s0;
-    case 14: return casadi_s0;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
     case 15: return casadi_s1;
     case 16: return casadi_s1;
     case 17: return casadi_s1;
-    case 18: return casadi_s1;
-    case 19: return casadi_s1;
-    case 20: return casadi_s1;
-    case 21: return casadi_s1;
-    case 22: return casadi_s1;
-    case 23: return casadi_s1;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s0;
     case 24: return casadi_s0;
     case 25: return casadi_s0;
-    case 26: return casadi_s0;
+    case 26: return casadi_s1;
     case 27: return casadi_s0;
-    case 28: return casadi_s0;
-    case 29: return casadi_s0;
-    case 30: return casadi_s0;
-    case 31: return casadi_s0;
-    case 32: return casadi_s0;
-    case 33: return casadi_s1;
-    case 34: return casadi_s1;
-    case 35: return casadi_s1;
-    case 36: return casadi_s0;
-    case 37: return casadi_s0;
-    case 38: return casadi_s0;
     default: return 0;
   }
 }
@@ -10672,29 +10197,1036 @@ CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tail_wheel_needed_sparsity_out(
     case 5: return casadi_s0;
     case 6: return casadi_s0;
     case 7: return casadi_s0;
-    case 8: return casadi_s0;
     default: return 0;
   }
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_needed_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 39;
-  if (sz_res) *sz_res = 9;
+  if (sz_arg) *sz_arg = 28;
+  if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
   if (sz_w) *sz_w = 0;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_needed_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 39*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 9*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 28*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 8*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct)->(Ct_always,speed_margin) */
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
+  a0=0.;
+  a1=arg[6]? arg[6][0] : 0;
+  a1=(2.*a1);
+  a1=sqrt(a1);
+  a2=arg[0]? arg[0][0] : 0;
+  a2=sqrt(a2);
+  a3=arg[1]? arg[1][0] : 0;
+  a4=casadi_fmax(a0,a3);
+  a4=sqrt(a4);
+  a4=(a2*a4);
+  a5=arg[2]? arg[2][0] : 0;
+  a3=(a3+a5);
+  a6=5.0000000000000000e-01;
+  a7=arg[4]? arg[4][0] : 0;
+  a6=(a6*a7);
+  a7=arg[5]? arg[5][0] : 0;
+  a6=(a6*a7);
+  a7=arg[3]? arg[3][0] : 0;
+  a6=(a6*a7);
+  a6=sqrt(a6);
+  a6=(a3*a6);
+  a4=(a4-a6);
+  a4=(a1*a4);
+  a5=sqrt(a5);
+  a2=(a5*a2);
+  a4=(a4/a2);
+  a0=casadi_fmax(a0,a4);
+  a0=casadi_sq(a0);
+  if (res[0]!=0) res[0][0]=a0;
+  a0=arg[7]? arg[7][0] : 0;
+  a0=sqrt(a0);
+  a0=(a0-a4);
+  a5=(a5*a0);
+  a3=sqrt(a3);
+  a3=(a3*a1);
+  a5=(a5/a3);
+  if (res[1]!=0) res[1][0]=a5;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f36(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int tail_wheel_always_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void tail_wheel_always_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void tail_wheel_always_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void tail_wheel_always_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int tail_wheel_always_n_in(void) { return 8;}
+
+CASADI_SYMBOL_EXPORT casadi_int tail_wheel_always_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real tail_wheel_always_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tail_wheel_always_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "b";
+    case 3: return "rho";
+    case 4: return "Ap";
+    case 5: return "CL_gamma";
+    case 6: return "C_alpha";
+    case 7: return "Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tail_wheel_always_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct_always";
+    case 1: return "speed_margin";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tail_wheel_always_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tail_wheel_always_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int tail_wheel_always_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 8;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tail_wheel_always_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 8*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_Ct_always,fwd_speed_margin) */
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21;
+  a00=0.;
+  a01=arg[6]? arg[6][0] : 0;
+  a01=(2.*a01);
+  a01=sqrt(a01);
+  a02=arg[0]? arg[0][0] : 0;
+  a02=sqrt(a02);
+  a03=arg[1]? arg[1][0] : 0;
+  a04=casadi_fmax(a00,a03);
+  a04=sqrt(a04);
+  a05=(a02*a04);
+  a06=arg[2]? arg[2][0] : 0;
+  a07=(a03+a06);
+  a08=5.0000000000000000e-01;
+  a09=arg[4]? arg[4][0] : 0;
+  a09=(a08*a09);
+  a10=arg[5]? arg[5][0] : 0;
+  a11=(a09*a10);
+  a12=arg[3]? arg[3][0] : 0;
+  a13=(a11*a12);
+  a13=sqrt(a13);
+  a14=(a07*a13);
+  a05=(a05-a14);
+  a14=(a01*a05);
+  a06=sqrt(a06);
+  a15=(a06*a02);
+  a14=(a14/a15);
+  a16=casadi_fmax(a00,a14);
+  a16=(2.*a16);
+  a17=(a00<=a14);
+  a18=(a14<=a00);
+  a18=(a18+a17);
+  a17=(a17/a18);
+  a18=arg[16]? arg[16][0] : 0;
+  a18=(a18/a01);
+  a05=(a05*a18);
+  a19=arg[10]? arg[10][0] : 0;
+  a20=(2.*a02);
+  a19=(a19/a20);
+  a20=(a04*a19);
+  a21=(a00<=a03);
+  a03=(a03<=a00);
+  a03=(a03+a21);
+  a21=(a21/a03);
+  a03=arg[11]? arg[11][0] : 0;
+  a21=(a21*a03);
+  a04=(2.*a04);
+  a21=(a21/a04);
+  a21=(a02*a21);
+  a20=(a20+a21);
+  a21=arg[12]? arg[12][0] : 0;
+  a03=(a03+a21);
+  a04=(a13*a03);
+  a00=arg[14]? arg[14][0] : 0;
+  a08=(a08*a00);
+  a10=(a10*a08);
+  a08=arg[15]? arg[15][0] : 0;
+  a09=(a09*a08);
+  a10=(a10+a09);
+  a12=(a12*a10);
+  a10=arg[13]? arg[13][0] : 0;
+  a11=(a11*a10);
+  a12=(a12+a11);
+  a13=(2.*a13);
+  a12=(a12/a13);
+  a12=(a07*a12);
+  a04=(a04+a12);
+  a20=(a20-a04);
+  a20=(a01*a20);
+  a05=(a05+a20);
+  a05=(a05/a15);
+  a15=(a14/a15);
+  a20=(2.*a06);
+  a21=(a21/a20);
+  a02=(a02*a21);
+  a19=(a06*a19);
+  a02=(a02+a19);
+  a15=(a15*a02);
+  a05=(a05-a15);
+  a17=(a17*a05);
+  a16=(a16*a17);
+  if (res[0]!=0) res[0][0]=a16;
+  a16=arg[7]? arg[7][0] : 0;
+  a16=sqrt(a16);
+  a14=(a16-a14);
+  a21=(a14*a21);
+  a17=arg[17]? arg[17][0] : 0;
+  a16=(2.*a16);
+  a17=(a17/a16);
+  a17=(a17-a05);
+  a17=(a06*a17);
+  a21=(a21+a17);
+  a07=sqrt(a07);
+  a17=(a07*a01);
+  a21=(a21/a17);
+  a06=(a06*a14);
+  a06=(a06/a17);
+  a06=(a06/a17);
+  a17=(2.*a07);
+  a03=(a03/a17);
+  a01=(a01*a03);
+  a07=(a07*a18);
+  a01=(a01+a07);
+  a06=(a06*a01);
+  a21=(a21-a06);
+  if (res[1]!=0) res[1][0]=a21;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f37(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_always_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tail_wheel_always_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tail_wheel_always_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tail_wheel_always_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tail_wheel_always_n_in(void) { return 18;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tail_wheel_always_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_tail_wheel_always_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tail_wheel_always_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "b";
+    case 3: return "rho";
+    case 4: return "Ap";
+    case 5: return "CL_gamma";
+    case 6: return "C_alpha";
+    case 7: return "Ct";
+    case 8: return "out_Ct_always";
+    case 9: return "out_speed_margin";
+    case 10: return "fwd_m";
+    case 11: return "fwd_a";
+    case 12: return "fwd_b";
+    case 13: return "fwd_rho";
+    case 14: return "fwd_Ap";
+    case 15: return "fwd_CL_gamma";
+    case 16: return "fwd_C_alpha";
+    case 17: return "fwd_Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tail_wheel_always_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_Ct_always";
+    case 1: return "fwd_speed_margin";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tail_wheel_always_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tail_wheel_always_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_always_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_always_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],adj_Ct_always,adj_speed_margin)->(adj_m,adj_a,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24;
+  a00=0.;
+  a01=arg[1]? arg[1][0] : 0;
+  a02=casadi_fmax(a00,a01);
+  a02=sqrt(a02);
+  a03=arg[6]? arg[6][0] : 0;
+  a03=(2.*a03);
+  a03=sqrt(a03);
+  a04=arg[0]? arg[0][0] : 0;
+  a04=sqrt(a04);
+  a05=(a04*a02);
+  a06=arg[2]? arg[2][0] : 0;
+  a07=(a01+a06);
+  a08=5.0000000000000000e-01;
+  a09=arg[4]? arg[4][0] : 0;
+  a09=(a08*a09);
+  a10=arg[5]? arg[5][0] : 0;
+  a11=(a09*a10);
+  a12=arg[3]? arg[3][0] : 0;
+  a13=(a11*a12);
+  a13=sqrt(a13);
+  a14=(a07*a13);
+  a05=(a05-a14);
+  a14=(a03*a05);
+  a06=sqrt(a06);
+  a15=(a06*a04);
+  a14=(a14/a15);
+  a16=(a00<=a14);
+  a17=(a14<=a00);
+  a17=(a17+a16);
+  a16=(a16/a17);
+  a17=casadi_fmax(a00,a14);
+  a17=(2.*a17);
+  a18=arg[10]? arg[10][0] : 0;
+  a17=(a17*a18);
+  a16=(a16*a17);
+  a17=arg[11]? arg[11][0] : 0;
+  a18=sqrt(a07);
+  a19=(a18*a03);
+  a20=(a17/a19);
+  a21=(a06*a20);
+  a16=(a16-a21);
+  a22=(a16/a15);
+  a23=(a03*a22);
+  a24=(a02*a23);
+  a15=(a14/a15);
+  a15=(a15*a16);
+  a16=(a06*a15);
+  a24=(a24-a16);
+  a16=(2.*a04);
+  a24=(a24/a16);
+  if (res[0]!=0) res[0][0]=a24;
+  a24=(a00<=a01);
+  a01=(a01<=a00);
+  a01=(a01+a24);
+  a24=(a24/a01);
+  a01=(a04*a23);
+  a02=(2.*a02);
+  a01=(a01/a02);
+  a24=(a24*a01);
+  a01=arg[7]? arg[7][0] : 0;
+  a01=sqrt(a01);
+  a14=(a01-a14);
+  a02=(a06*a14);
+  a02=(a02/a19);
+  a02=(a02/a19);
+  a02=(a02*a17);
+  a17=(a03*a02);
+  a19=(2.*a18);
+  a17=(a17/a19);
+  a19=(a13*a23);
+  a17=(a17+a19);
+  a24=(a24-a17);
+  if (res[1]!=0) res[1][0]=a24;
+  a14=(a14*a20);
+  a04=(a04*a15);
+  a14=(a14-a04);
+  a06=(2.*a06);
+  a14=(a14/a06);
+  a14=(a14-a17);
+  if (res[2]!=0) res[2][0]=a14;
+  a07=(a07*a23);
+  a13=(2.*a13);
+  a07=(a07/a13);
+  a11=(a11*a07);
+  a11=(-a11);
+  if (res[3]!=0) res[3][0]=a11;
+  a12=(a12*a07);
+  a10=(a10*a12);
+  a08=(a08*a10);
+  a08=(-a08);
+  if (res[4]!=0) res[4][0]=a08;
+  a09=(a09*a12);
+  a09=(-a09);
+  if (res[5]!=0) res[5][0]=a09;
+  a05=(a05*a22);
+  a18=(a18*a02);
+  a05=(a05-a18);
+  a03=(2.*a03);
+  a05=(a05/a03);
+  a05=(2.*a05);
+  if (res[6]!=0) res[6][0]=a05;
+  a01=(2.*a01);
+  a21=(a21/a01);
+  if (res[7]!=0) res[7][0]=a21;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f38(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tail_wheel_always_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tail_wheel_always_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tail_wheel_always_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tail_wheel_always_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tail_wheel_always_n_in(void) { return 12;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tail_wheel_always_n_out(void) { return 8;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_tail_wheel_always_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tail_wheel_always_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "b";
+    case 3: return "rho";
+    case 4: return "Ap";
+    case 5: return "CL_gamma";
+    case 6: return "C_alpha";
+    case 7: return "Ct";
+    case 8: return "out_Ct_always";
+    case 9: return "out_speed_margin";
+    case 10: return "adj_Ct_always";
+    case 11: return "adj_speed_margin";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tail_wheel_always_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_m";
+    case 1: return "adj_a";
+    case 2: return "adj_b";
+    case 3: return "adj_rho";
+    case 4: return "adj_Ap";
+    case 5: return "adj_CL_gamma";
+    case 6: return "adj_C_alpha";
+    case 7: return "adj_Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tail_wheel_always_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tail_wheel_always_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tail_wheel_always_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 8;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tail_wheel_always_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 8*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],adj_Ct_always,adj_speed_margin,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_Ct_always[1x1,0nz],fwd_out_speed_margin[1x1,0nz],fwd_adj_Ct_always,fwd_adj_speed_margin)->(fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
+  casadi_real a48, a49;
+  a00=arg[6]? arg[6][0] : 0;
+  a00=(2.*a00);
+  a00=sqrt(a00);
+  a01=0.;
+  a02=arg[0]? arg[0][0] : 0;
+  a02=sqrt(a02);
+  a03=arg[1]? arg[1][0] : 0;
+  a04=casadi_fmax(a01,a03);
+  a04=sqrt(a04);
+  a05=(a02*a04);
+  a06=arg[2]? arg[2][0] : 0;
+  a07=(a03+a06);
+  a08=5.0000000000000000e-01;
+  a09=arg[4]? arg[4][0] : 0;
+  a09=(a08*a09);
+  a10=arg[5]? arg[5][0] : 0;
+  a11=(a09*a10);
+  a12=arg[3]? arg[3][0] : 0;
+  a13=(a11*a12);
+  a13=sqrt(a13);
+  a14=(a07*a13);
+  a05=(a05-a14);
+  a14=(a00*a05);
+  a06=sqrt(a06);
+  a15=(a06*a02);
+  a14=(a14/a15);
+  a16=(a01<=a14);
+  a17=(a14<=a01);
+  a17=(a17+a16);
+  a16=(a16/a17);
+  a17=casadi_fmax(a01,a14);
+  a17=(2.*a17);
+  a18=arg[10]? arg[10][0] : 0;
+  a19=(a17*a18);
+  a19=(a16*a19);
+  a20=arg[11]? arg[11][0] : 0;
+  a21=sqrt(a07);
+  a22=(a21*a00);
+  a23=(a20/a22);
+  a24=(a06*a23);
+  a19=(a19-a24);
+  a25=(a19/a15);
+  a26=(a00*a25);
+  a27=(a01<=a03);
+  a28=(a03<=a01);
+  a28=(a28+a27);
+  a27=(a27/a28);
+  a28=arg[21]? arg[21][0] : 0;
+  a27=(a27*a28);
+  a29=(2.*a04);
+  a27=(a27/a29);
+  a29=(a26*a27);
+  a30=arg[26]? arg[26][0] : 0;
+  a30=(a30/a00);
+  a31=(a25*a30);
+  a32=(a01<=a14);
+  a33=(a14<=a01);
+  a33=(a33+a32);
+  a32=(a32/a33);
+  a33=(a05*a30);
+  a34=arg[20]? arg[20][0] : 0;
+  a35=(2.*a02);
+  a34=(a34/a35);
+  a35=(a04*a34);
+  a36=(a02*a27);
+  a35=(a35+a36);
+  a36=arg[22]? arg[22][0] : 0;
+  a28=(a28+a36);
+  a37=(a13*a28);
+  a38=arg[24]? arg[24][0] : 0;
+  a38=(a08*a38);
+  a39=(a10*a38);
+  a40=arg[25]? arg[25][0] : 0;
+  a41=(a09*a40);
+  a39=(a39+a41);
+  a41=(a12*a39);
+  a42=arg[23]? arg[23][0] : 0;
+  a43=(a11*a42);
+  a41=(a41+a43);
+  a43=(2.*a13);
+  a41=(a41/a43);
+  a43=(a07*a41);
+  a37=(a37+a43);
+  a35=(a35-a37);
+  a37=(a00*a35);
+  a33=(a33+a37);
+  a33=(a33/a15);
+  a37=(a14/a15);
+  a43=(2.*a06);
+  a36=(a36/a43);
+  a43=(a02*a36);
+  a44=(a06*a34);
+  a43=(a43+a44);
+  a37=(a37*a43);
+  a33=(a33-a37);
+  a32=(a32*a33);
+  a32=(2.*a32);
+  a18=(a18*a32);
+  a32=arg[30]? arg[30][0] : 0;
+  a17=(a17*a32);
+  a18=(a18+a17);
+  a16=(a16*a18);
+  a18=(a23*a36);
+  a17=arg[31]? arg[31][0] : 0;
+  a32=(a17/a22);
+  a37=(a23/a22);
+  a44=(2.*a21);
+  a44=(a28/a44);
+  a45=(a00*a44);
+  a46=(a21*a30);
+  a45=(a45+a46);
+  a37=(a37*a45);
+  a32=(a32-a37);
+  a37=(a06*a32);
+  a18=(a18+a37);
+  a16=(a16-a18);
+  a37=(a16/a15);
+  a46=(a25/a15);
+  a46=(a46*a43);
+  a37=(a37-a46);
+  a46=(a00*a37);
+  a31=(a31+a46);
+  a46=(a04*a31);
+  a29=(a29+a46);
+  a46=(a14/a15);
+  a47=(a46*a19);
+  a48=(a47*a36);
+  a49=(a33/a15);
+  a15=(a46/a15);
+  a15=(a15*a43);
+  a49=(a49-a15);
+  a19=(a19*a49);
+  a46=(a46*a16);
+  a19=(a19+a46);
+  a46=(a06*a19);
+  a48=(a48+a46);
+  a29=(a29-a48);
+  a48=(2.*a02);
+  a29=(a29/a48);
+  a46=(a04*a26);
+  a16=(a06*a47);
+  a46=(a46-a16);
+  a46=(a46/a48);
+  a46=(a46/a48);
+  a48=(2.*a34);
+  a46=(a46*a48);
+  a29=(a29-a46);
+  if (res[0]!=0) res[0][0]=a29;
+  a29=(a01<=a03);
+  a03=(a03<=a01);
+  a03=(a03+a29);
+  a29=(a29/a03);
+  a03=(a26*a34);
+  a01=(a02*a31);
+  a03=(a03+a01);
+  a04=(2.*a04);
+  a03=(a03/a04);
+  a01=(a02*a26);
+  a01=(a01/a04);
+  a01=(a01/a04);
+  a27=(2.*a27);
+  a01=(a01*a27);
+  a03=(a03-a01);
+  a29=(a29*a03);
+  a03=arg[7]? arg[7][0] : 0;
+  a03=sqrt(a03);
+  a14=(a03-a14);
+  a01=(a06*a14);
+  a01=(a01/a22);
+  a27=(a01/a22);
+  a04=(a27*a20);
+  a46=(a04*a30);
+  a48=(a14*a36);
+  a16=arg[27]? arg[27][0] : 0;
+  a49=(2.*a03);
+  a16=(a16/a49);
+  a33=(a16-a33);
+  a49=(a06*a33);
+  a48=(a48+a49);
+  a48=(a48/a22);
+  a01=(a01/a22);
+  a01=(a01*a45);
+  a48=(a48-a01);
+  a48=(a48/a22);
+  a22=(a27/a22);
+  a22=(a22*a45);
+  a48=(a48-a22);
+  a20=(a20*a48);
+  a27=(a27*a17);
+  a20=(a20+a27);
+  a27=(a00*a20);
+  a46=(a46+a27);
+  a27=(2.*a21);
+  a46=(a46/a27);
+  a17=(a00*a04);
+  a17=(a17/a27);
+  a17=(a17/a27);
+  a27=(2.*a44);
+  a17=(a17*a27);
+  a46=(a46-a17);
+  a17=(a26*a41);
+  a27=(a13*a31);
+  a17=(a17+a27);
+  a46=(a46+a17);
+  a29=(a29-a46);
+  if (res[1]!=0) res[1][0]=a29;
+  a33=(a23*a33);
+  a32=(a14*a32);
+  a33=(a33+a32);
+  a34=(a47*a34);
+  a19=(a02*a19);
+  a34=(a34+a19);
+  a33=(a33-a34);
+  a06=(2.*a06);
+  a33=(a33/a06);
+  a14=(a14*a23);
+  a02=(a02*a47);
+  a14=(a14-a02);
+  a14=(a14/a06);
+  a14=(a14/a06);
+  a36=(2.*a36);
+  a14=(a14*a36);
+  a33=(a33-a14);
+  a33=(a33-a46);
+  if (res[2]!=0) res[2][0]=a33;
+  a33=(a07*a26);
+  a13=(2.*a13);
+  a33=(a33/a13);
+  a39=(a33*a39);
+  a26=(a26*a28);
+  a07=(a07*a31);
+  a26=(a26+a07);
+  a26=(a26/a13);
+  a13=(a33/a13);
+  a41=(2.*a41);
+  a13=(a13*a41);
+  a26=(a26-a13);
+  a11=(a11*a26);
+  a39=(a39+a11);
+  a39=(-a39);
+  if (res[3]!=0) res[3][0]=a39;
+  a39=(a12*a33);
+  a40=(a39*a40);
+  a33=(a33*a42);
+  a12=(a12*a26);
+  a33=(a33+a12);
+  a10=(a10*a33);
+  a40=(a40+a10);
+  a08=(a08*a40);
+  a08=(-a08);
+  if (res[4]!=0) res[4][0]=a08;
+  a39=(a39*a38);
+  a09=(a09*a33);
+  a39=(a39+a09);
+  a39=(-a39);
+  if (res[5]!=0) res[5][0]=a39;
+  a35=(a25*a35);
+  a37=(a05*a37);
+  a35=(a35+a37);
+  a44=(a04*a44);
+  a20=(a21*a20);
+  a44=(a44+a20);
+  a35=(a35-a44);
+  a00=(2.*a00);
+  a35=(a35/a00);
+  a05=(a05*a25);
+  a21=(a21*a04);
+  a05=(a05-a21);
+  a05=(a05/a00);
+  a05=(a05/a00);
+  a30=(2.*a30);
+  a05=(a05*a30);
+  a35=(a35-a05);
+  a35=(2.*a35);
+  if (res[6]!=0) res[6][0]=a35;
+  a03=(2.*a03);
+  a18=(a18/a03);
+  a24=(a24/a03);
+  a24=(a24/a03);
+  a16=(2.*a16);
+  a24=(a24*a16);
+  a18=(a18-a24);
+  if (res[7]!=0) res[7][0]=a18;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f39(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_always_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tail_wheel_always_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tail_wheel_always_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tail_wheel_always_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tail_wheel_always_n_in(void) { return 32;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tail_wheel_always_n_out(void) { return 8;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_tail_wheel_always_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tail_wheel_always_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "b";
+    case 3: return "rho";
+    case 4: return "Ap";
+    case 5: return "CL_gamma";
+    case 6: return "C_alpha";
+    case 7: return "Ct";
+    case 8: return "out_Ct_always";
+    case 9: return "out_speed_margin";
+    case 10: return "adj_Ct_always";
+    case 11: return "adj_speed_margin";
+    case 12: return "out_adj_m";
+    case 13: return "out_adj_a";
+    case 14: return "out_adj_b";
+    case 15: return "out_adj_rho";
+    case 16: return "out_adj_Ap";
+    case 17: return "out_adj_CL_gamma";
+    case 18: return "out_adj_C_alpha";
+    case 19: return "out_adj_Ct";
+    case 20: return "fwd_m";
+    case 21: return "fwd_a";
+    case 22: return "fwd_b";
+    case 23: return "fwd_rho";
+    case 24: return "fwd_Ap";
+    case 25: return "fwd_CL_gamma";
+    case 26: return "fwd_C_alpha";
+    case 27: return "fwd_Ct";
+    case 28: return "fwd_out_Ct_always";
+    case 29: return "fwd_out_speed_margin";
+    case 30: return "fwd_adj_Ct_always";
+    case 31: return "fwd_adj_speed_margin";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tail_wheel_always_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_m";
+    case 1: return "fwd_adj_a";
+    case 2: return "fwd_adj_b";
+    case 3: return "fwd_adj_rho";
+    case 4: return "fwd_adj_Ap";
+    case 5: return "fwd_adj_CL_gamma";
+    case 6: return "fwd_adj_C_alpha";
+    case 7: return "fwd_adj_Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tail_wheel_always_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s1;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s1;
+    case 19: return casadi_s1;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s0;
+    case 24: return casadi_s0;
+    case 25: return casadi_s0;
+    case 26: return casadi_s0;
+    case 27: return casadi_s0;
+    case 28: return casadi_s1;
+    case 29: return casadi_s1;
+    case 30: return casadi_s0;
+    case 31: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tail_wheel_always_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_always_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 32;
+  if (sz_res) *sz_res = 8;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_always_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 32*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 0*sizeof(casadi_real);
   return 0;
 }
 
 /* gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct)->(a_lost,a_regained) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[7]? arg[7][0] : 0;
   a1=5.0000000000000000e-01;
@@ -10744,7 +11276,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f40(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int gear_position_checkout(void) {
@@ -10831,7 +11363,7 @@ CASADI_SYMBOL_EXPORT int gear_position_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* fwd1_gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_a_lost[1x1,0nz],out_a_regained[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_a_lost,fwd_a_regained) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22;
   a00=arg[6]? arg[6][0] : 0;
@@ -10954,7 +11486,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f41(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position_checkout(void) {
@@ -11061,7 +11593,7 @@ CASADI_SYMBOL_EXPORT int fwd1_gear_position_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* adj1_gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_a_lost[1x1,0nz],out_a_regained[1x1,0nz],adj_a_lost,adj_a_regained)->(adj_m,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30;
@@ -11179,7 +11711,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f38(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position_checkout(void) {
@@ -11286,7 +11818,7 @@ CASADI_SYMBOL_EXPORT int adj1_gear_position_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_adj1_gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_a_lost[1x1,0nz],out_a_regained[1x1,0nz],adj_a_lost,adj_a_regained,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_a_lost[1x1,0nz],fwd_out_a_regained[1x1,0nz],fwd_adj_a_lost,fwd_adj_a_regained)->(fwd_adj_m,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -11587,7 +12119,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f43(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_checkout(void) {
@@ -11734,7 +12266,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_work_bytes(casadi_int *sz_arg, 
 }
 
 /* gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct)->(a_always,u_touch) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[5]? arg[5][0] : 0;
@@ -11783,7 +12315,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f44(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int gear_position_envelope_checkout(void) {
@@ -11868,7 +12400,7 @@ CASADI_SYMBOL_EXPORT int gear_position_envelope_work_bytes(casadi_int *sz_arg, c
 }
 
 /* fwd1_gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct,out_a_always[1x1,0nz],out_u_touch[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_a_always,fwd_u_touch) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24;
@@ -11997,7 +12529,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f45(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position_envelope_checkout(void) {
@@ -12100,7 +12632,7 @@ CASADI_SYMBOL_EXPORT int fwd1_gear_position_envelope_work_bytes(casadi_int *sz_a
 }
 
 /* adj1_gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct,out_a_always[1x1,0nz],out_u_touch[1x1,0nz],adj_a_always,adj_u_touch)->(adj_m,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28;
@@ -12226,7 +12758,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f46(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position_envelope_checkout(void) {
@@ -12329,7 +12861,7 @@ CASADI_SYMBOL_EXPORT int adj1_gear_position_envelope_work_bytes(casadi_int *sz_a
 }
 
 /* fwd1_adj1_gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct,out_a_always[1x1,0nz],out_u_touch[1x1,0nz],adj_a_always,adj_u_touch,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_a_always[1x1,0nz],fwd_out_u_touch[1x1,0nz],fwd_adj_a_always,fwd_adj_u_touch)->(fwd_adj_m,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -12691,7 +13223,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f43(arg, res, iw, w, mem);
+  return casadi_f47(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_envelope_checkout(void) {
@@ -12830,7 +13362,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_envelope_work_bytes(casadi_int 
 }
 
 /* loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4)->(p_0,p_1,p_2,p_3,p_4,p_5) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13;
   a00=arg[1]? arg[1][0] : 0;
@@ -12996,7 +13528,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f44(arg, res, iw, w, mem);
+  return casadi_f48(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_position_checkout(void) {
@@ -13101,7 +13633,7 @@ CASADI_SYMBOL_EXPORT int loaded_gear_position_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_p_0[1x1,0nz],out_p_1[1x1,0nz],out_p_2[1x1,0nz],out_p_3[1x1,0nz],out_p_4[1x1,0nz],out_p_5[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4)->(fwd_p_0,fwd_p_1,fwd_p_2,fwd_p_3,fwd_p_4,fwd_p_5) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27;
@@ -13573,7 +14105,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f49(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_position_checkout(void) {
@@ -13716,7 +14248,7 @@ CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_position_work_bytes(casadi_int *sz_arg
 }
 
 /* adj1_loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_p_0[1x1,0nz],out_p_1[1x1,0nz],out_p_2[1x1,0nz],out_p_3[1x1,0nz],out_p_4[1x1,0nz],out_p_5[1x1,0nz],adj_p_0,adj_p_1,adj_p_2,adj_p_3,adj_p_4,adj_p_5)->(adj_m,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_B3,adj_C3,adj_g,adj_K1,adj_K2,adj_K3,adj_K4) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14187,7 +14719,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_position_checkout(void) {
@@ -14330,7 +14862,7 @@ CASADI_SYMBOL_EXPORT int adj1_loaded_gear_position_work_bytes(casadi_int *sz_arg
 }
 
 /* fwd1_adj1_loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_p_0[1x1,0nz],out_p_1[1x1,0nz],out_p_2[1x1,0nz],out_p_3[1x1,0nz],out_p_4[1x1,0nz],out_p_5[1x1,0nz],adj_p_0,adj_p_1,adj_p_2,adj_p_3,adj_p_4,adj_p_5,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_g[1x1,0nz],out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_out_p_0[1x1,0nz],fwd_out_p_1[1x1,0nz],fwd_out_p_2[1x1,0nz],fwd_out_p_3[1x1,0nz],fwd_out_p_4[1x1,0nz],fwd_out_p_5[1x1,0nz],fwd_adj_p_0,fwd_adj_p_1,fwd_adj_p_2,fwd_adj_p_3,fwd_adj_p_4,fwd_adj_p_5)->(fwd_adj_m,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_B3,fwd_adj_C3,fwd_adj_g,fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -15572,7 +16104,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_position_checkout(void) {
@@ -15791,7 +16323,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_position_work_bytes(casadi_int *s
 }
 
 /* loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4)->(g_0,g_1,g_2,g_3,g_4,g_5,g_6,g_7,g_8,g_9,g_10) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
   a00=arg[1]? arg[1][0] : 0;
@@ -16016,7 +16548,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f48(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_envelope_checkout(void) {
@@ -16129,7 +16661,7 @@ CASADI_SYMBOL_EXPORT int loaded_gear_envelope_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_g_0[1x1,0nz],out_g_1[1x1,0nz],out_g_2[1x1,0nz],out_g_3[1x1,0nz],out_g_4[1x1,0nz],out_g_5[1x1,0nz],out_g_6[1x1,0nz],out_g_7[1x1,0nz],out_g_8[1x1,0nz],out_g_9[1x1,0nz],out_g_10[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4)->(fwd_g_0,fwd_g_1,fwd_g_2,fwd_g_3,fwd_g_4,fwd_g_5,fwd_g_6,fwd_g_7,fwd_g_8,fwd_g_9,fwd_g_10) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -16711,7 +17243,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f49(arg, res, iw, w, mem);
+  return casadi_f53(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_envelope_checkout(void) {
@@ -16870,7 +17402,7 @@ CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_envelope_work_bytes(casadi_int *sz_arg
 }
 
 /* adj1_loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_g_0[1x1,0nz],out_g_1[1x1,0nz],out_g_2[1x1,0nz],out_g_3[1x1,0nz],out_g_4[1x1,0nz],out_g_5[1x1,0nz],out_g_6[1x1,0nz],out_g_7[1x1,0nz],out_g_8[1x1,0nz],out_g_9[1x1,0nz],out_g_10[1x1,0nz],adj_g_0,adj_g_1,adj_g_2,adj_g_3,adj_g_4,adj_g_5,adj_g_6,adj_g_7,adj_g_8,adj_g_9,adj_g_10)->(adj_m,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_B3,adj_C3,adj_g,adj_K1,adj_K2,adj_K3,adj_K4) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -17456,7 +17988,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f54(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_envelope_checkout(void) {
@@ -17615,7 +18147,7 @@ CASADI_SYMBOL_EXPORT int adj1_loaded_gear_envelope_work_bytes(casadi_int *sz_arg
 }
 
 /* fwd1_adj1_loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_g_0[1x1,0nz],out_g_1[1x1,0nz],out_g_2[1x1,0nz],out_g_3[1x1,0nz],out_g_4[1x1,0nz],out_g_5[1x1,0nz],out_g_6[1x1,0nz],out_g_7[1x1,0nz],out_g_8[1x1,0nz],out_g_9[1x1,0nz],out_g_10[1x1,0nz],adj_g_0,adj_g_1,adj_g_2,adj_g_3,adj_g_4,adj_g_5,adj_g_6,adj_g_7,adj_g_8,adj_g_9,adj_g_10,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_g[1x1,0nz],out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_out_g_0[1x1,0nz],fwd_out_g_1[1x1,0nz],fwd_out_g_2[1x1,0nz],fwd_out_g_3[1x1,0nz],fwd_out_g_4[1x1,0nz],fwd_out_g_5[1x1,0nz],fwd_out_g_6[1x1,0nz],fwd_out_g_7[1x1,0nz],fwd_out_g_8[1x1,0nz],fwd_out_g_9[1x1,0nz],fwd_out_g_10[1x1,0nz],fwd_adj_g_0,fwd_adj_g_1,fwd_adj_g_2,fwd_adj_g_3,fwd_adj_g_4,fwd_adj_g_5,fwd_adj_g_6,fwd_adj_g_7,fwd_adj_g_8,fwd_adj_g_9,fwd_adj_g_10)->(fwd_adj_m,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_B3,fwd_adj_C3,fwd_adj_g,fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -19162,7 +19694,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f55(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_envelope_checkout(void) {
@@ -19413,7 +19945,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_envelope_work_bytes(casadi_int *s
 }
 
 /* at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4)->(a_loaded,u_touch) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   a00=arg[2]? arg[2][0] : 0;
   a01=arg[0]? arg[0][0] : 0;
@@ -19518,7 +20050,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int at_tail_load_checkout(void) {
@@ -19615,7 +20147,7 @@ CASADI_SYMBOL_EXPORT int at_tail_load_work_bytes(casadi_int *sz_arg, casadi_int*
 }
 
 /* fwd1_at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_a_loaded[1x1,0nz],out_u_touch[1x1,0nz],fwd_tail_fraction,fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4)->(fwd_a_loaded,fwd_u_touch) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27;
@@ -19903,7 +20435,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f53(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_at_tail_load_checkout(void) {
@@ -20030,7 +20562,7 @@ CASADI_SYMBOL_EXPORT int fwd1_at_tail_load_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* adj1_at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_a_loaded[1x1,0nz],out_u_touch[1x1,0nz],adj_a_loaded,adj_u_touch)->(adj_tail_fraction,adj_m,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_B3,adj_C3,adj_g,adj_K1,adj_K2,adj_K3,adj_K4) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -20314,7 +20846,7 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f54(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_at_tail_load_checkout(void) {
@@ -20441,7 +20973,7 @@ CASADI_SYMBOL_EXPORT int adj1_at_tail_load_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* fwd1_adj1_at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_a_loaded[1x1,0nz],out_u_touch[1x1,0nz],adj_a_loaded,adj_u_touch,out_adj_tail_fraction[1x1,0nz],out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_g[1x1,0nz],out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],fwd_tail_fraction,fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_out_a_loaded[1x1,0nz],fwd_out_u_touch[1x1,0nz],fwd_adj_a_loaded,fwd_adj_u_touch)->(fwd_adj_tail_fraction,fwd_adj_m,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_B3,fwd_adj_C3,fwd_adj_g,fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -21173,7 +21705,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f59(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load_checkout(void) {
@@ -21360,7 +21892,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load_work_bytes(casadi_int *sz_arg, c
 }
 
 /* linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct)->(sum_M,d_sum_M_d_alpha,d_M_gear_d_alpha,v,r) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   a00=arg[4]? arg[4][0] : 0;
   a01=arg[9]? arg[9][0] : 0;
@@ -21428,7 +21960,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f60(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int linear_equilibrium_checkout(void) {
@@ -21527,7 +22059,7 @@ CASADI_SYMBOL_EXPORT int linear_equilibrium_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_sum_M,fwd_d_sum_M_d_alpha,fwd_d_M_gear_d_alpha,fwd_v,fwd_r) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27;
@@ -21704,7 +22236,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f61(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_linear_equilibrium_checkout(void) {
@@ -21835,7 +22367,7 @@ CASADI_SYMBOL_EXPORT int fwd1_linear_equilibrium_work_bytes(casadi_int *sz_arg, 
 }
 
 /* adj1_linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r)->(adj_alpha,adj_F_disturbance,adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -22008,7 +22540,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f58(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_linear_equilibrium_checkout(void) {
@@ -22139,7 +22671,7 @@ CASADI_SYMBOL_EXPORT int adj1_linear_equilibrium_work_bytes(casadi_int *sz_arg, 
 }
 
 /* fwd1_adj1_linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r,out_adj_alpha[1x1,0nz],out_adj_F_disturbance[1x1,0nz],out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_sum_M[1x1,0nz],fwd_out_d_sum_M_d_alpha[1x1,0nz],fwd_out_d_M_gear_d_alpha[1x1,0nz],fwd_out_v[1x1,0nz],fwd_out_r[1x1,0nz],fwd_adj_sum_M,fwd_adj_d_sum_M_d_alpha,fwd_adj_d_M_gear_d_alpha,fwd_adj_v,fwd_adj_r)->(fwd_adj_alpha,fwd_adj_F_disturbance,fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -22595,7 +23127,7 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f59(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_equilibrium_checkout(void) {
@@ -22790,7 +23322,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_equilibrium_work_bytes(casadi_int *sz_
 }
 
 /* nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1)->(sum_M,d_sum_M_d_alpha,d_M_gear_d_alpha,v,r) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   a00=arg[4]? arg[4][0] : 0;
@@ -22922,7 +23454,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int nonlinear_equilibrium_checkout(void) {
@@ -23037,7 +23569,7 @@ CASADI_SYMBOL_EXPORT int nonlinear_equilibrium_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_Ct,fwd_Fz,fwd_B3,fwd_C3,fwd_B5,fwd_C5,fwd_B1,fwd_C1,fwd_D1,fwd_E1)->(fwd_sum_M,fwd_d_sum_M_d_alpha,fwd_d_M_gear_d_alpha,fwd_v,fwd_r) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -23423,7 +23955,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_nonlinear_equilibrium_checkout(void) {
@@ -23586,7 +24118,7 @@ CASADI_SYMBOL_EXPORT int fwd1_nonlinear_equilibrium_work_bytes(casadi_int *sz_ar
 }
 
 /* adj1_nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r)->(adj_alpha,adj_F_disturbance,adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_Ct,adj_Fz,adj_B3,adj_C3,adj_B5,adj_C5,adj_B1,adj_C1,adj_D1,adj_E1) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -23961,7 +24493,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_nonlinear_equilibrium_checkout(void) {
@@ -24124,7 +24656,7 @@ CASADI_SYMBOL_EXPORT int adj1_nonlinear_equilibrium_work_bytes(casadi_int *sz_ar
 }
 
 /* fwd1_adj1_nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r,out_adj_alpha[1x1,0nz],out_adj_F_disturbance[1x1,0nz],out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_Ct[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_B5[1x1,0nz],out_adj_C5[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],out_adj_E1[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_Ct,fwd_Fz,fwd_B3,fwd_C3,fwd_B5,fwd_C5,fwd_B1,fwd_C1,fwd_D1,fwd_E1,fwd_out_sum_M[1x1,0nz],fwd_out_d_sum_M_d_alpha[1x1,0nz],fwd_out_d_M_gear_d_alpha[1x1,0nz],fwd_out_v[1x1,0nz],fwd_out_r[1x1,0nz],fwd_adj_sum_M,fwd_adj_d_sum_M_d_alpha,fwd_adj_d_M_gear_d_alpha,fwd_adj_v,fwd_adj_r)->(fwd_adj_alpha,fwd_adj_F_disturbance,fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_Ct,fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3,fwd_adj_B5,fwd_adj_C5,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1,fwd_adj_E1) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -25224,7 +25756,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_nonlinear_equilibrium_checkout(void) {
