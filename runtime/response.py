@@ -102,12 +102,9 @@ def frequency_response(
     polynomial = M[..., 0, 0] * M[..., 1, 1] - M[..., 0, 1] * M[..., 1, 0]
     if (polynomial == 0).any():
         where = omega[np.argwhere(polynomial == 0)[0][-1]]
+        why = " (A is singular: main gear at the CG, nothing at the tail?)" if where == 0 else ""
         raise GroundloopError(
-            f"the response at {where:g} rad/s is infinite: j omega is an eigenvalue of A there"
-            + (
-                " (A is singular: is the main gear at the CG, with nothing at the tail?)"
-                * (where == 0)
-            )
+            f"the response at {where:g} rad/s is infinite: i times it is an eigenvalue of A{why}"
         )
     numerator = np.einsum("...i,...nij,...j->...n", C, adjugate, B)
     return FrequencyResponse(omega, numerator / polynomial + D[..., None], *names)
@@ -205,12 +202,13 @@ def step_response(
     # the state with the constant input appended: x' = A x + B u, u' = 0
     augmented = np.zeros((*B.shape[:-1], 3, 3))
     augmented[..., :2, :2], augmented[..., :2, 2] = lin.A, B
-    advance = exponential(augmented * times[1])
     state = np.zeros((*B.shape[:-1], times.size, 3))
     state[..., 0, 2] = height
-    for k in range(1, times.size):
-        state[..., k, :] = np.einsum("...ij,...j->...i", advance, state[..., k - 1, :])
-    values = np.einsum("...i,...ni->...n", C, state[..., :2]) + (D * height)[..., None]
+    with np.errstate(over="ignore", invalid="ignore"):
+        advance = exponential(augmented * times[1])
+        for k in range(1, times.size):
+            state[..., k, :] = np.einsum("...ij,...j->...i", advance, state[..., k - 1, :])
+        values = np.einsum("...i,...ni->...n", C, state[..., :2]) + (D * height)[..., None]
     if not np.isfinite(values).all():
         raise GroundloopError(
             f"the step response grows beyond what a number can hold within {duration:g} s"

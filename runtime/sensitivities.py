@@ -73,9 +73,10 @@ def _eigenvalue_derivatives(
     other = eigenvalues[..., ::-1]
     apart = eigenvalues - other
     meet = np.abs(apart[..., 0]) <= _SAME * np.abs(eigenvalues).max(axis=-1)
-    apart = np.where(meet[..., None], np.nan, apart)
+    apart = np.where(meet[..., None], 1.0, apart)
     projector = (A[..., None, :, :] - other[..., None, None] * np.eye(2)) / apart[..., None, None]
-    return np.einsum("...kij,...jip->...kp", projector, dA), meet
+    slopes = np.einsum("...kij,...jip->...kp", projector, dA)
+    return np.where(meet[..., None, None], np.nan, slopes), meet
 
 
 @cache

@@ -54,7 +54,8 @@ class Margins:
         Tail wheel stiffness from which the aircraft is stable at every speed, N/rad.
     speed_margin : ndarray
         sqrt(b Ct/(L C_f)) + sqrt(L k/m) - sqrt(a/L), with k u^2 the stiffness of the vertical
-        tail; positive exactly if the aircraft is stable at every speed.
+        tail; positive exactly if the aircraft is stable at every speed. NaN if the main gear is
+        behind the tail (a + b < 0).
     """
 
     trace: FloatArray
@@ -89,8 +90,8 @@ CLOSED_FORMS = {
     "static_margin": ("steady_margins", "static_margin"),
     "understeer_gradient": ("steady_margins", "K_us"),
     "stiffness_needed": ("tail_wheel_needed", "Ct_needed"),
-    "stiffness_needed_always": ("tail_wheel_needed", "Ct_always"),
-    "speed_margin": ("tail_wheel_needed", "speed_margin"),
+    "stiffness_needed_always": ("tail_wheel_always", "Ct_always"),
+    "speed_margin": ("tail_wheel_always", "speed_margin"),
 }
 
 #: The same for what is said of every speed at once.
@@ -99,8 +100,8 @@ OVER_SPEED = {
     "upper_critical_speed": ("speed_window", "u_high"),
     "weakest_speed": ("weakest_speed", "u_weakest"),
     "least_determinant": ("weakest_speed", "det_weakest"),
-    "speed_margin": ("tail_wheel_needed", "speed_margin"),
-    "stiffness_needed_always": ("tail_wheel_needed", "Ct_always"),
+    "speed_margin": ("tail_wheel_always", "speed_margin"),
+    "stiffness_needed_always": ("tail_wheel_always", "Ct_always"),
 }
 
 
@@ -228,8 +229,8 @@ def _worst_speed(
     decay = elementwise("modes", closed_form("state_matrix", plane, u=stack))["decay_rate"]
     stack = np.broadcast_to(stack, decay.shape)
     least = decay.argmin(axis=0)[None]
-    worst, rate = (np.take_along_axis(values, least, axis=0)[0] for values in (stack, decay))
-    return worst, rate
+    worst, rate = (np.take_along_axis(values, least, axis=0) for values in (stack, decay))
+    return np.asarray(worst[0, ...]), np.asarray(rate[0, ...])
 
 
 @dataclass(frozen=True)
