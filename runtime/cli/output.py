@@ -76,7 +76,9 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]], right: Sequence[
             cell.rjust(width) if k in right else cell.ljust(width)
             for k, (cell, width) in enumerate(zip(row, widths, strict=True))
         ]
-        first, *rest = textwrap.wrap(row[-1], room, break_long_words=False) or [""]
+        first, *rest = textwrap.wrap(
+            row[-1], room, break_long_words=False, break_on_hyphens=False
+        ) or [""]
         last = first if len(header) - 1 not in right else parts[-1]
         lines.append(("  " + "  ".join([*parts[:-1], last])).rstrip())
         lines += [" " * before + line for line in rest]
@@ -85,13 +87,21 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]], right: Sequence[
 
 def filled(text: str) -> str:
     """A text wrapped to the terminal."""
-    return textwrap.fill(" ".join(text.split()), _width(), break_long_words=False)
+    return textwrap.fill(
+        " ".join(text.split()), _width(), break_long_words=False, break_on_hyphens=False
+    )
 
 
 def hanging(text: str) -> str:
     """Lines wrapped to the terminal, each continued further to the right."""
     return "\n".join(
-        textwrap.fill(line, _width(), subsequent_indent="      ", break_long_words=False)
+        textwrap.fill(
+            line,
+            _width(),
+            subsequent_indent="      ",
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
         for line in text.splitlines()
     )
 
@@ -105,6 +115,7 @@ def paragraph(text: str, mark: str = "-") -> str:
         initial_indent=first,
         subsequent_indent=" " * len(first),
         break_long_words=False,
+        break_on_hyphens=False,
     )
 
 
