@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.colors import to_hex, to_rgb
+from matplotlib.lines import Line2D
 from matplotlib.patches import PathPatch, Rectangle
 from matplotlib.path import Path as Outline
 from matplotlib.patheffects import withStroke
@@ -49,7 +50,7 @@ _TIRE, _PROPELLER = (0.068, 0.026), (0.010, 0.230)
 
 _ASPHALT, _PAINT, _GRASS = "#D6D7DB", "#FFFFFF", "#EDF2E4"
 _LARGEST = (8.2, 6.4)  # inches, the axes of a new figure
-_MARGIN = (0.8, 0.9)  # inches, for their labels
+_MARGIN = (0.8, 1.1)  # inches, for their labels
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +136,7 @@ def runway_view(
                 _place(axes, roll, t, shade=0.45 + 0.55 * t / roll.t[-1], zorder=4 + k)
                 _push(axes, roll, t, strongest, zorder=4 + k)
         _clock(axes, rolls[0], every)
-        _legend(axes, rolls, explicit=labels is not None)
+        _legend(axes, rolls, labels is not None, strongest)
     return axes
 
 
@@ -191,8 +192,8 @@ def animate(
     with style():
         figure = Figure()
         axes = _scene(rolls, width, stretch, figure.add_subplot(), fit=True)
-        _legend(axes, rolls, explicit=labels is not None)
-        clock = axes.set_title(" ", family="DejaVu Sans Mono")
+        _legend(axes, rolls, labels is not None)
+        clock = axes.set_title(" ", loc="right", family="DejaVu Sans Mono")
         figure.draw_without_rendering()
         figure.set_layout_engine("none")  # once is enough, and it takes most of the time
         passing: list[Any] = []
@@ -372,7 +373,7 @@ def _mark_exit(axes: Axes, roll: _Roll, width: float) -> None:
     axes.annotate(
         f"off the runway after {t:.1f} s",
         (X, Y),
-        xytext=(-8, -10 if Y > 0 else 10),
+        xytext=(-14, -10 if Y > 0 else 10),
         textcoords="offset points",
         ha="right",
         va="center",
@@ -400,11 +401,16 @@ def _clock(axes: Axes, roll: _Roll, every: float) -> None:
         )
 
 
-def _legend(axes: Axes, rolls: Sequence[_Roll], explicit: bool) -> None:
-    if not explicit and len(rolls) == 1:
-        return
-    handles = [Rectangle((0, 0), 1, 1, color=roll.colour, label=roll.label) for roll in rolls]
-    axes.legend(handles=handles, loc="lower left", handlelength=1.0)
+def _legend(axes: Axes, rolls: Sequence[_Roll], explicit: bool, strongest: float = 0.0) -> None:
+    """Names of the runs if there is a choice, and what the arrows are, above the runway."""
+    named = rolls if explicit or len(rolls) > 1 else ()
+    handles: list[Any] = [Rectangle((0, 0), 1, 1, color=r.colour, label=r.label) for r in named]
+    if strongest > 0:
+        words = f"side force on the tail, at most {strongest:.3g} N"
+        handles.append(Line2D([], [], color=INK, marker=">", linewidth=0, label=words))
+    if handles:
+        above = {"bbox_to_anchor": (0.0, 1.0), "borderaxespad": 2.2, "borderpad": 0.0}
+        axes.legend(handles=handles, loc="lower left", ncols=3, handlelength=1.2, **above)
 
 
 def _writer(path: Path, fps: int) -> Any:

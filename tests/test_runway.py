@@ -90,7 +90,7 @@ def test_several_runs_share_a_runway(loop: gl.Trajectory) -> None:
     pair = gl.simulate(loop.aircraft.replace(a=np.array([-0.5, 0.6])), v0=0.1, t=1.0)
     axes = gl.runway_view([loop, pair], labels=["gust", "behind", "ahead"])
     labels = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert labels == ["gust", "behind", "ahead"]
+    assert labels == ["gust", "behind", "ahead", "side force on the tail, at most 400 N"]
     own = gl.runway_view(pair).get_legend().get_texts()
     assert ["a = -0.5 m" in own[0].get_text(), "a = 0.6 m" in own[1].get_text()] == [True, True]
 
