@@ -23,6 +23,7 @@ from .errors import GroundloopError
 from .files import complete
 from .generated.names import DIGEST
 from .gusts import Gust, sampled
+from .linearization import Linearization, OperatingPoint
 from .simulation import Trajectory
 
 #: Raised when the layout changes.
@@ -198,6 +199,49 @@ def load_run(path: str | Path, *, other_equations: bool = False) -> Trajectory:
         lines = sampled(t, disturbance)
         gust = Gust(lines.force, lines.breaks, f"{gust['label']} (its samples)")
     return Trajectory(t, values, record.aircraft, about["tire"], disturbance, gust)
+
+
+def save_linearization(lin: Linearization, path: str | Path) -> Path:
+    """Write a linearization with its aircraft and provenance; `load_linearization` reads it.
+
+    Parameters
+    ----------
+    lin : Linearization
+        What to keep.
+    path : str or Path
+        Where to, ending in ``.npz``.
+    """
+    values = {f.name: getattr(lin, f.name) for f in fields(lin)}
+    arrays = {name: value for name, value in values.items() if isinstance(value, np.ndarray)}
+    at = {f"at.{f.name}": np.asarray(getattr(lin.at, f.name)) for f in fields(lin.at)}
+    about = {key: value for key, value in values.items() if isinstance(value, (str, tuple))}
+    return write(path, "linearization", {**arrays, **at}, about, lin.aircraft)
+
+
+def load_linearization(path: str | Path, *, other_equations: bool = False) -> Linearization:
+    """Read a linearization that `save_linearization` wrote.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+    other_equations : bool
+        Whether to accept one of other equations than those that are installed.
+
+    Raises
+    ------
+    GroundloopError
+        If the file is no such thing, is damaged, or comes from other equations.
+    """
+    record = read(path, "linearization", other_equations=other_equations)
+    values: dict[str, Any] = {
+        name: tuple(value) if isinstance(value, list) else value
+        for name, value in [*record.arrays.items(), *record.about.items()]
+        if not name.startswith("at.")
+    }
+    arrays = _under("at.", record.arrays)
+    at = {name: array if array.ndim else float(array) for name, array in arrays.items()}
+    return Linearization(**values, at=OperatingPoint(**at), aircraft=record.aircraft)
 
 
 def _under(prefix: str, members: Mapping[str, Any]) -> dict[str, Any]:

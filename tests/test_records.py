@@ -49,6 +49,18 @@ def test_a_run_comes_back_as_it_was(many: gl.Trajectory, tmp_path: Path) -> None
     assert [p.name for p in tmp_path.iterdir()] == ["run.npz"]
 
 
+def test_a_linearization_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path) -> None:
+    lin = gl.linearize(plane.replace(a=np.array([0.2, 0.6])), at=gl.OperatingPoint(v=0.3))
+    back = records.load_linearization(records.save_linearization(lin, tmp_path / "lin.npz"))
+    assert np.array_equal(back.A, lin.A)
+    assert np.array_equal(back.eigenvalues, lin.eigenvalues)
+    assert back.outputs == lin.outputs
+    assert back.at.v == lin.at.v
+    assert repr(back) == repr(lin)
+    with pytest.raises(gl.GroundloopError, match="holds a linearization"):
+        gl.load_run(tmp_path / "lin.npz")
+
+
 def test_a_gust_comes_back_as_its_samples(plane: gl.Aircraft, tmp_path: Path) -> None:
     gust = gl.gusts.one_minus_cosine(100.0, 0.2, 0.5)
     run = gl.simulate(plane, disturbance=gust, t=1.0)
