@@ -6,12 +6,13 @@ import pytest
 import sympy as sp
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from oracles import BROTT, MODELS, PER_DEGREE, points, right_hand_side
+from oracles import BROTT, MODELS, PER_DEGREE, points
 
 import groundloop as gl
 from groundloop.derive import gear_position, margins, worst_speed
 from groundloop.derive.closed_forms import C_f, K, k, routh_hurwitz, speed_polynomial, stiffnesses
 from groundloop.derive.equation import expand
+from groundloop.derive.linear import state_space
 from groundloop.derive.loads import static_loads
 from groundloop.derive.quantities import (
     B3,
@@ -40,23 +41,24 @@ def aircraft(**changes):
     return gl.Aircraft("random", values)
 
 
-def state_matrix(plane):
-    """A by finite differences of the right-hand side that SymPy prints: it is linear."""
-    f = right_hand_side("linear")
-    p = np.array([float(plane[name]) for name in NAMES])
-    zero = np.zeros(7)
-    return np.array([(f(x, [0.0], p) - f(zero, [0.0], p))[:2] for x in np.eye(7)[:2]]).T
+_A = sp.lambdify(MODELS["linear"].parameters, list(state_space(MODELS["linear"])[0]), "numpy")
+
+
+def state_matrix(plane, **changes):
+    """A of the linear model as SymPy prints it; with an array, one matrix per element."""
+    entries = _A(*({name: plane[name] for name in NAMES} | changes).values())
+    shape = np.broadcast_shapes(*map(np.shape, entries))
+    flat = np.stack([np.broadcast_to(entry, shape) for entry in entries], axis=-1)
+    return flat.reshape(*shape, 2, 2).astype(float)
 
 
 def decay_rates(plane, speeds):
     """-max Re of NumPy's eigenvalues at each speed."""
-    return np.array(
-        [-np.linalg.eigvals(state_matrix(plane.replace(u=u))).real.max() for u in speeds]
-    )
+    return -np.linalg.eigvals(state_matrix(plane, u=np.asarray(speeds))).real.max(axis=-1)
 
 
 def determinant(plane, **changes):
-    return np.linalg.det(state_matrix(plane.replace(**changes)))
+    return np.linalg.det(state_matrix(plane, **changes))
 
 
 planes = (
@@ -159,7 +161,7 @@ def test_understeer_gradient_is_the_difference_of_load_over_stiffness(plane):
 def test_the_window_is_where_the_determinant_is_negative(plane):
     window = gl.speed_window(plane)
     speeds = np.geomspace(0.05, 2000.0, 400)
-    negative = np.array([determinant(plane, u=u) < 0 for u in speeds])
+    negative = determinant(plane, u=speeds) < 0
     inside = (speeds > window.low) & (speeds < window.high)
     near = [np.abs(speeds / end - 1) < 1e-6 for end in (window.low, window.high)]
     assert (negative == inside)[~np.logical_or(*near)].all()
@@ -203,7 +205,7 @@ def test_the_tail_wheel_needed_is_that_of_a_zero_determinant(plane):
 def test_stability_is_lost_where_the_gear_limit_says(plane):
     limit = gl.gear_limit(plane)
     arms = np.linspace(-0.9 * float(plane["b"]), 3 * float(plane["b"]), 300)
-    negative = np.array([determinant(plane, a=arm) < 0 for arm in arms])
+    negative = determinant(plane, a=arms) < 0
     inside = (arms > limit.lost) & (arms < limit.regained)
     assert (negative == inside).all()
 
