@@ -126,7 +126,7 @@ def runway_view(
     rolls = _rolls(run, labels)
     with style():
         axes = _scene(rolls, width, stretch, ax)
-        strongest = max(float(np.abs(roll.force).max()) for roll in rolls)
+        strongest = _strongest(rolls)
         for k, roll in enumerate(rolls):
             axes.plot(roll.X, roll.Y, color=roll.colour, linewidth=1.1, zorder=3)
             if stretch == 1:
@@ -192,7 +192,8 @@ def animate(
     with style():
         figure = Figure()
         axes = _scene(rolls, width, stretch, figure.add_subplot(), fit=True)
-        _legend(axes, rolls, labels is not None)
+        strongest = _strongest(rolls)
+        _legend(axes, rolls, labels is not None, strongest)
         clock = axes.set_title(" ", loc="right", family="DejaVu Sans Mono")
         figure.draw_without_rendering()
         figure.set_layout_engine("none")  # once is enough, and it takes most of the time
@@ -203,7 +204,7 @@ def animate(
                 passing.pop().remove()
             clock.set_text(f"{times[frame]:4.1f} s")
             for roll in rolls:
-                passing.extend(_moment(axes, roll, times[frame]))
+                passing.extend(_moment(axes, roll, times[frame], strongest))
             return passing
 
         with complete(target) as draft:
@@ -250,6 +251,10 @@ def _varied(run: Trajectory, shape: tuple[int, ...], k: int) -> str:
         for s, value in arrays.items()
     ]
     return ", " + (", ".join(own) or f"run {', '.join(map(str, np.unravel_index(k, shape)))}")
+
+
+def _strongest(rolls: Sequence[_Roll]) -> float:
+    return max(float(np.abs(roll.force).max()) for roll in rolls)
 
 
 def _limits(rolls: Sequence[_Roll], width: float) -> tuple[tuple[float, float], ...]:
@@ -340,24 +345,25 @@ def _mixed(colour: str, share: float) -> str:
     return to_hex(mixed.tolist())
 
 
-def _push(axes: Axes, roll: _Roll, t: float, strongest: float, zorder: float) -> None:
+def _push(axes: Axes, roll: _Roll, t: float, strongest: float, zorder: float) -> list[Any]:
     """An arrow at the tail, its length in proportion to the side force."""
     *_, force = roll.at(t)
     if strongest == 0 or abs(force) < 0.02 * strongest:
-        return
+        return []
     ends = [(-1.0, 0.0), (-1.0, -1.5 * force / strongest)]
     tail, start = _body(axes, roll, t).transform(ends).tolist()
     arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", tail, start, arrowprops=arrow, zorder=zorder + 0.5)
+    return [axes.annotate("", tail, start, arrowprops=arrow, zorder=zorder + 0.5)]
 
 
-def _moment(axes: Axes, roll: _Roll, t: float) -> list[Any]:
-    """The path up to a time, and the aircraft at its end."""
+def _moment(axes: Axes, roll: _Roll, t: float, strongest: float) -> list[Any]:
+    """The path up to a time, and the aircraft at its end with what pushes it."""
     now = min(t, float(roll.t[-1]))
     before = roll.t < now
     X, Y, *_ = roll.at(now)
     path = axes.plot([*roll.X[before], X], [*roll.Y[before], Y], color=roll.colour, zorder=3)
-    return [*path, *_place(axes, roll, now, shade=1.0, zorder=4)]
+    aircraft = _place(axes, roll, now, shade=1.0, zorder=4)
+    return [*path, *aircraft, *_push(axes, roll, now, strongest, zorder=4)]
 
 
 def _mark_exit(axes: Axes, roll: _Roll, width: float) -> None:
@@ -401,7 +407,7 @@ def _clock(axes: Axes, roll: _Roll, every: float) -> None:
         )
 
 
-def _legend(axes: Axes, rolls: Sequence[_Roll], explicit: bool, strongest: float = 0.0) -> None:
+def _legend(axes: Axes, rolls: Sequence[_Roll], explicit: bool, strongest: float) -> None:
     """Names of the runs if there is a choice, and what the arrows are, above the runway."""
     named = rolls if explicit or len(rolls) > 1 else ()
     handles: list[Any] = [Rectangle((0, 0), 1, 1, color=r.colour, label=r.label) for r in named]
