@@ -14,16 +14,22 @@ import sympy as sp
 from .c_source import c_source
 from .catalogue import Module, all_quantities, modules
 from .equation_sheet import equation_sheet
+from .kernels import EnsembleKernel, SweepKernels, ensemble_kernels, stability_sweep
 from .shipped import integrators
 
 HERE = Path(__file__).resolve().parent
-SHIPPED = ("integrators.py", "library.py")
+SHIPPED = ("integrators.py", "kernels.py", "library.py")
+_SOURCES = {".py", ".c", ".json"}
+
+
+#: How every generated file begins, after the sign of a comment.
+_MARK = b"Generated from derive/"
 
 
 def digest() -> str:
     """Digest of the derivation: of every source file in `derive/`."""
     total = hashlib.sha256()
-    for path in sorted(HERE.rglob("*.py")):
+    for path in sorted(p for p in HERE.rglob("*") if p.suffix in _SOURCES):
         total.update(path.relative_to(HERE).as_posix().encode() + b"\0" + path.read_bytes())
     return total.hexdigest()[:16]
 
@@ -31,7 +37,7 @@ def digest() -> str:
 def provenance() -> str:
     """One line for the top of each generated file."""
     return (
-        f"Generated from derive/ (digest {digest()}) with SymPy {sp.__version__} and CasADi"
+        f"{_MARK.decode()} (digest {digest()}) with SymPy {sp.__version__} and CasADi"
         f" {ca.CasadiMeta.version()}: do not edit, run `make derive`."
     )
 
@@ -41,14 +47,19 @@ def files() -> dict[str, str]:
     derived = modules()
     header = provenance()
     sources = {f"{module.name}.py": _module_source(module) for module in derived}
-    sources["names.py"] = _names_source(derived)
+    package = _load(sources)
+    ensembles, sweeps = tuple(ensemble_kernels(derived, package)), stability_sweep(derived, package)
+    sources["names.py"] = _names_source(derived, ensembles, sweeps)
     sources["__init__.py"] = _init_source(derived)
     for name in SHIPPED:
         sources[name] = (HERE / "shipped" / name).read_text()
     texts = {name: f"# {header}\n{text}" for name, text in sources.items()}
     texts["EQUATIONS.md"] = f"<!-- {header} -->\n{equation_sheet(derived)}"
-    for name, functions in _compiled(derived, sources).items():
+    for name, functions in _compiled(derived, package).items():
         texts[f"c/{name}.c"] = c_source(name, functions, header)
+    kernels = {sweeps.name: sweeps.text, **{kernel.name: kernel.text for kernel in ensembles}}
+    for name, text in kernels.items():
+        texts[f"c/{name}.c"] = f"/* {header} */\n{text}"
     return texts
 
 
@@ -56,7 +67,8 @@ def write(folder: Path) -> None:
     """Write every generated file into `folder` and remove what is no longer generated."""
     texts = files()
     for path in sorted(folder.rglob("*")):
-        if path.is_file() and path.relative_to(folder).as_posix() not in texts:
+        is_wanted = path.relative_to(folder).as_posix() in texts
+        if path.is_file() and not is_wanted and _MARK in path.read_bytes()[:200]:
             path.unlink()
     for name, text in texts.items():
         path = folder / name
@@ -102,10 +114,9 @@ def _function_table(derived: Iterable[Module]) -> dict[str, tuple[str, str, str]
 
 
 def _compiled(
-    derived: Iterable[Module], sources: Mapping[str, str]
+    derived: Iterable[Module], package: Mapping[str, ModuleType]
 ) -> dict[str, list[ca.Function]]:
-    """The functions of each C file, built by running the Python just generated."""
-    package = _load(sources)
+    """The functions of each C file."""
     contents: dict[str, list[ca.Function]] = {}
     for module, builder, c_file in _function_table(derived).values():
         function = getattr(package[module], builder)()
@@ -114,15 +125,13 @@ def _compiled(
 
 
 def _load(sources: Mapping[str, str]) -> dict[str, ModuleType]:
-    """Run generated modules without installing them."""
+    """Run the Python just generated without installing it."""
     package = "groundloop_freshly_generated"
     sys.modules[package] = ModuleType(package)
     sys.modules[package].integrators = integrators  # type: ignore[attr-defined]
     sys.modules[f"{package}.integrators"] = integrators
     loaded = {}
     for name in (path.removesuffix(".py") for path in sources):
-        if name in ("__init__", "names", "library", "integrators"):
-            continue
         module = ModuleType(f"{package}.{name}")
         module.__package__ = package
         exec(compile(sources[f"{name}.py"], f"{name}.py", "exec"), module.__dict__)
@@ -130,7 +139,9 @@ def _load(sources: Mapping[str, str]) -> dict[str, ModuleType]:
     return loaded
 
 
-def _names_source(derived: tuple[Module, ...]) -> str:
+def _names_source(
+    derived: tuple[Module, ...], ensembles: Iterable[EnsembleKernel], sweeps: SweepKernels
+) -> str:
     lines = [
         '"""Names, units and meanings; signatures of the models; where each function is."""',
         "",
@@ -158,6 +169,13 @@ def _names_source(derived: tuple[Module, ...]) -> str:
         "    outputs: tuple[str, ...]",
         "",
         "",
+        "class Kernel(NamedTuple):",
+        '    """A C file that integrates many trajectories: its model, and its states in order."""',
+        "",
+        "    model: str",
+        "    states: tuple[str, ...]",
+        "",
+        "",
         f'DIGEST = "{digest()}"',
         "",
         "QUANTITIES = {",
@@ -177,6 +195,17 @@ def _names_source(derived: tuple[Module, ...]) -> str:
     lines += ["}", "", "#: Name of a function -> module, builder, C file.", "FUNCTIONS = {"]
     for name, entry in _function_table(derived).items():
         lines.append(f"    {_quoted(name)}: ({', '.join(map(_quoted, entry))}),")
+    lines += ["}", "", "#: Name of a kernel and of its C file -> what it carries.", "KERNELS = {"]
+    for kernel in ensembles:
+        states = ", ".join(map(_quoted, kernel.states))
+        lines.append(f'    "{kernel.name}": Kernel({_quoted(kernel.model)}, ({states},)),')
+    lines += [
+        "}",
+        "",
+        "#: Name of a function that has a kernel for many points -> C file.",
+        "SWEEPS = {",
+    ]
+    lines += [f"    {_quoted(name)}: {_quoted(sweeps.name)}," for name in sweeps.functions]
     return "\n".join([*lines, "}", ""])
 
 

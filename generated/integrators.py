@@ -1,4 +1,4 @@
-# Generated from derive/ (digest c85e7286bf95c2a8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 09de3cf05c201aba) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Integrators over one interval of time, built on a right-hand side.
 
 Time is scaled to the interval, so its length is an argument and not part of the code: one
@@ -14,7 +14,13 @@ import casadi as ca
 #: Options of CasADi's `erk` for each method. The tape bounds the steps an adjoint can retrace.
 METHODS: dict[str, dict[str, Any]] = {
     "rk4": {"method": "rk4", "step_size": 1.0},
-    "rk45": {"method": "rk45", "reltol": 1e-11, "abstol": 1e-13, "max_tape_steps": 2000},
+    "rk45": {
+        "method": "rk45",
+        "reltol": 1e-11,
+        "abstol": 1e-13,
+        "max_num_steps": 1_000_000,
+        "max_tape_steps": 2000,
+    },
 }
 
 

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest c85e7286bf95c2a8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 09de3cf05c201aba) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -25,7 +25,14 @@ class Signature(NamedTuple):
     outputs: tuple[str, ...]
 
 
-DIGEST = "c85e7286bf95c2a8"
+class Kernel(NamedTuple):
+    """A C file that integrates many trajectories: its model, and its states in order."""
+
+    model: str
+    states: tuple[str, ...]
+
+
+DIGEST = "09de3cf05c201aba"
 
 QUANTITIES = {
     q.symbol: q
@@ -101,7 +108,7 @@ QUANTITIES = {
         Quantity("im_2", "im_2", "rad/s", "imaginary part of the second eigenvalue", "\\Im\\lambda_2", ""),
         Quantity("decay_rate", "decay_rate", "1/s", "-max Re(eigenvalue): stable if positive", "d", ""),
         Quantity("natural_frequency", "natural_frequency", "rad/s", "undamped natural frequency", "\\omega_n", ""),
-        Quantity("damped_frequency", "damped_frequency", "rad/s", "|Im(eigenvalue)|", "\\omega_d", ""),
+        Quantity("damped_frequency", "damped_frequency", "rad/s", "size of the imaginary part of an eigenvalue", "\\omega_d", ""),
         Quantity("damping_ratio", "damping_ratio", "1", "above 1: two real eigenvalues", "\\zeta", ""),
         Quantity("T_half", "time_to_half", "s", "in which a deviation halves; infinite if it never does", "T_{1/2}", ""),
         Quantity("T_double", "time_to_double", "s", "in which a deviation doubles; infinite if it never does", "T_2", ""),
@@ -232,4 +239,32 @@ FUNCTIONS = {
     "placement_tire": ("placement", "placement_tire", "placement"),
     "placement_margins": ("placement", "placement_margins", "placement"),
     "placement_limits": ("placement", "placement_limits", "placement"),
+}
+
+#: Name of a kernel and of its C file -> what it carries.
+KERNELS = {
+    "linear_ensemble": Kernel("linear", ("v", "r", "y", "theta", "psi",)),
+    "linear_path_ensemble": Kernel("linear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
+    "nonlinear_ensemble": Kernel("nonlinear", ("v", "r", "y", "theta", "psi",)),
+    "nonlinear_path_ensemble": Kernel("nonlinear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
+}
+
+#: Name of a function that has a kernel for many points -> C file.
+SWEEPS = {
+    "state_matrix": "stability_sweep",
+    "routh_hurwitz": "stability_sweep",
+    "modes": "stability_sweep",
+    "times": "stability_sweep",
+    "speed_window": "stability_sweep",
+    "weakest_speed": "stability_sweep",
+    "stationary_decay": "stability_sweep",
+    "steady_margins": "stability_sweep",
+    "tail_wheel_needed": "stability_sweep",
+    "tail_wheel_always": "stability_sweep",
+    "gear_position": "stability_sweep",
+    "gear_position_envelope": "stability_sweep",
+    "loaded_gear_position": "stability_sweep",
+    "loaded_gear_envelope": "stability_sweep",
+    "at_tail_load": "stability_sweep",
+    "linear_equilibrium": "stability_sweep",
 }

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest c85e7286bf95c2a8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 09de3cf05c201aba) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Closed forms of the linear model (Section 4.7 and what it leaves unsaid)."""
 
 from functools import cache
@@ -136,7 +136,7 @@ def modes() -> ca.Function:
     im_2 : 1 x 1, imaginary part of the second eigenvalue [rad/s]
     decay_rate : 1 x 1, -max Re(eigenvalue): stable if positive [1/s]
     natural_frequency : 1 x 1, undamped natural frequency [rad/s]
-    damped_frequency : 1 x 1, |Im(eigenvalue)| [rad/s]
+    damped_frequency : 1 x 1, size of the imaginary part of an eigenvalue [rad/s]
     damping_ratio : 1 x 1, above 1: two real eigenvalues [1]
     """
     A_vv = ca.SX.sym("A_vv")

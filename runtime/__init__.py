@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from . import gusts
     from .aircraft import Aircraft
     from .checking import Check, check
+    from .ensemble_result import Ensemble
+    from .ensembles import ensemble
     from .errors import GroundloopError
     from .integration import integrator
     from .linearization import Linearization, OperatingPoint, linearize
@@ -53,6 +55,7 @@ if TYPE_CHECKING:
 _HOME = {
     "Aircraft": "aircraft",
     "Check": "checking",
+    "Ensemble": "ensemble_result",
     "Envelope": "placement",
     "FrequencyResponse": "response",
     "GearEnvelope": "stability",
@@ -75,6 +78,7 @@ _HOME = {
     "Trim": "trimming",
     "animate": "runway",
     "check": "checking",
+    "ensemble": "ensembles",
     "fit_tire": "tire_fit",
     "frequency_response": "response",
     "gear_envelope": "stability",
@@ -100,6 +104,7 @@ _MODULES = ("gusts",)
 __all__ = [
     "Aircraft",
     "Check",
+    "Ensemble",
     "Envelope",
     "FrequencyResponse",
     "GearEnvelope",
@@ -122,6 +127,7 @@ __all__ = [
     "Trim",
     "animate",
     "check",
+    "ensemble",
     "fit_tire",
     "frequency_response",
     "gear_envelope",

@@ -31,8 +31,8 @@ class StaleError(RuntimeError):
     """C code and Python code come from different equations."""
 
 
-class _NoCompilerError(RuntimeError):
-    """No working C compiler; the message says what was tried."""
+class NoCompilerError(RuntimeError):
+    """No C compiler that does what is asked; the message says what was tried."""
 
 
 @cache
@@ -54,8 +54,8 @@ def load(name: str) -> ca.Function:
     source = SOURCES / f"{_entry(name)[2]}.c"
     try:
         return ca.external(name, str(compiled(source)))
-    except _NoCompilerError as problem:
-        _say_once(f"{problem}; using CasADi's virtual machine, which is several times slower")
+    except NoCompilerError as problem:
+        say_once(f"{problem}; using CasADi's virtual machine, which is several times slower")
         return build(name)
 
 
@@ -66,23 +66,30 @@ def build(name: str) -> ca.Function:
     return function
 
 
-def compiled(source: Path) -> Path:
+def compiled(source: Path, flags: tuple[str, ...] = FLAGS) -> Path:
     """Path of the shared library of a C file, compiled now if it is not in the cache.
 
     The name of the library holds a hash of source, flags, compiler and processor, so a library
     is never rebuilt under a path that a running process may have loaded.
+
+    Raises
+    ------
+    StaleError
+        If the C code does not belong to these equations.
+    NoCompilerError
+        If it cannot be compiled, or not with these flags.
     """
     text = source.read_bytes()
     if DIGEST.encode() not in text[:400]:
         raise StaleError(f"{source} was not generated with this package; run `make derive`")
-    compiler, target = _compiler()
-    key = hashlib.sha256(b"\0".join([text, " ".join(FLAGS).encode(), target])).hexdigest()[:20]
+    compiler, target = _compiler(flags)
+    key = hashlib.sha256(b"\0".join([text, " ".join(flags).encode(), target])).hexdigest()[:20]
     library = _cache_folder() / f"{source.stem}-{key}.so"
     if not library.exists():
-        _compile(compiler, source, library)
+        _compile(compiler, flags, source, library)
     elif not _is_intact(library):
         warnings.warn(f"{library} is damaged; compiling it again", stacklevel=3)
-        _compile(compiler, source, library)
+        _compile(compiler, flags, source, library)
     return library
 
 
@@ -94,27 +101,27 @@ def _entry(name: str) -> tuple[str, str, str]:
 
 
 @cache
-def _compiler() -> tuple[str, bytes]:
+def _compiler(flags: tuple[str, ...]) -> tuple[str, bytes]:
     """Path of the C compiler, and its version and target processor as it describes them."""
     wanted = os.environ.get("CC", "cc")
     path = shutil.which(wanted) or shutil.which("gcc")
     if path is None:
-        raise _NoCompilerError(f"no C compiler ({wanted} is not on the PATH; set CC)")
-    probe = [path, *FLAGS, "-dM", "-E", "-x", "c", os.devnull]
+        raise NoCompilerError(f"no C compiler ({wanted} is not on the PATH; set CC)")
+    probe = [path, *flags, "-dM", "-E", "-x", "c", os.devnull]
     macros = subprocess.run(probe, capture_output=True, check=False)
     if macros.returncode != 0:
-        raise _NoCompilerError(f"{path} failed: {macros.stderr.decode(errors='replace').strip()}")
+        raise NoCompilerError(f"{path} failed: {macros.stderr.decode(errors='replace').strip()}")
     return path, macros.stdout
 
 
-def _compile(compiler: str, source: Path, library: Path) -> None:
+def _compile(compiler: str, flags: tuple[str, ...], source: Path, library: Path) -> None:
     """Compile beside the target and move into place, so that nobody sees half a library."""
     with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:
         product = Path(folder) / library.name
-        command = [compiler, *FLAGS, str(source), "-o", str(product), "-lm"]
+        command = [compiler, *flags, str(source), "-o", str(product), "-lm"]
         result = subprocess.run(command, capture_output=True, text=True, check=False)
         if result.returncode != 0:
-            raise _NoCompilerError(f"{' '.join(command)} failed: {result.stderr.strip()}")
+            raise NoCompilerError(f"{' '.join(command)} failed: {result.stderr.strip()}")
         seal = _seal(product)
         seal.write_text(hashlib.sha256(product.read_bytes()).hexdigest())
         os.replace(seal, _seal(library))
@@ -144,7 +151,7 @@ def _cache_folder() -> Path:
     except OSError as problem:
         temporary = tempfile.mkdtemp(prefix="groundloop-")
         atexit.register(shutil.rmtree, temporary, ignore_errors=True)
-        _say_once(
+        say_once(
             f"cannot write to the cache folder {folder} ({problem.strerror}); compiling for this"
             " process only. Set GROUNDLOOP_CACHE to a folder that can be written"
         )
@@ -152,5 +159,6 @@ def _cache_folder() -> Path:
 
 
 @cache
-def _say_once(message: str) -> None:
+def say_once(message: str) -> None:
+    """Warn, but of the same thing only once."""
     warnings.warn(message, RuntimeWarning, stacklevel=4)

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest c85e7286bf95c2a8) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 09de3cf05c201aba) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -1212,7 +1212,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   p.h_min = 1.0000000000000000e-14;
   p.h_max = 0.;
   p.h_init = 0.;
-  p.max_num_steps = 10000;
+  p.max_num_steps = 1000000;
   p.ne = 0;
   casadi_ivp_setup(&p);
   /* Work vectors */
@@ -1822,7 +1822,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   p.h_min = 1.0000000000000000e-14;
   p.h_max = 0.;
   p.h_init = 0.;
-  p.max_num_steps = 10000;
+  p.max_num_steps = 1000000;
   p.ne = 0;
   casadi_ivp_setup(&p);
   /* Work vectors */
@@ -2536,7 +2536,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   p.h_min = 1.0000000000000000e-14;
   p.h_max = 0.;
   p.h_init = 0.;
-  p.max_num_steps = 10000;
+  p.max_num_steps = 1000000;
   p.ne = 0;
   casadi_ivp_setup(&p);
   /* Work vectors */
@@ -4360,7 +4360,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   p.h_min = 1.0000000000000000e-14;
   p.h_max = 0.;
   p.h_init = 0.;
-  p.max_num_steps = 10000;
+  p.max_num_steps = 1000000;
   p.ne = 0;
   casadi_ivp_setup(&p);
   /* Work vectors */

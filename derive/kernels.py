@@ -1,0 +1,66 @@
+"""Which kernels are emitted for many aircraft at once, from which functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from types import ModuleType
+
+import casadi as ca
+
+from .catalogue import Module
+from .model import Model
+from .simd.ensemble import ensemble_kernel
+from .simd.sweep import can_sweep, sweep_kernels
+
+#: Module whose functions are applied to millions of points.
+_SWEPT = "stability"
+
+
+@dataclass(frozen=True)
+class EnsembleKernel:
+    """An emitted integrator of many trajectories: its name, model, states in order, and C text."""
+
+    name: str
+    model: str
+    states: tuple[str, ...]
+    text: str
+
+
+@dataclass(frozen=True)
+class SweepKernels:
+    """Emitted closed forms: name of the C file, the functions in it, and its text."""
+
+    name: str
+    functions: tuple[str, ...]
+    text: str
+
+
+def ensemble_kernels(
+    derived: Iterable[Module], package: Mapping[str, ModuleType]
+) -> Iterator[EnsembleKernel]:
+    """For each model one kernel without the path over the ground, and one with it."""
+    for model in (module.model for module in derived if module.model is not None):
+        rhs, outputs = package[model.name].rhs(), package[model.name].outputs()
+        every = range(len(model.states))
+        for name, keep in (("ensemble", _in_body_axes(model)), ("path_ensemble", every)):
+            kernel = ensemble_kernel(rhs, outputs, list(keep))
+            states = tuple(str(model.states[j]) for j in kernel.states)
+            yield EnsembleKernel(f"{model.name}_{name}", model.name, states, kernel.text)
+
+
+def _in_body_axes(model: Model) -> Iterator[int]:
+    """The states whose rates need nothing but the motion in body axes."""
+    beyond = set(model.states) - set(model.dynamic)
+    return (k for k, rate in enumerate(model.rates) if not rate.free_symbols & beyond)
+
+
+def stability_sweep(derived: Iterable[Module], package: Mapping[str, ModuleType]) -> SweepKernels:
+    """The closed forms of the linear model that a kernel can be emitted for."""
+    module = next(module for module in derived if module.name == _SWEPT)
+    functions: list[ca.Function] = []
+    for function in (getattr(package[_SWEPT], spec.name)() for spec in module.functions):
+        if can_sweep(function):
+            functions.append(function)
+    names = tuple(function.name() for function in functions)
+    return SweepKernels(f"{_SWEPT}_sweep", names, sweep_kernels(functions))

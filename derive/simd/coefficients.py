@@ -1,0 +1,122 @@
+"""Write ``coefficients.json``: the numbers the emitted kernels need, from 40-digit arithmetic.
+
+The Runge-Kutta tableau is DOP853 (Dormand and Prince's eighth-order pair with the error
+estimators and the dense output of E. Hairer and G. Wanner, "Solving Ordinary Differential
+Equations I", 2nd ed., program ``dop853.f``), read from SciPy's transcription of it (BSD licence,
+``scipy/integrate/_ivp/dop853_coefficients.py``).  The polynomials are minimax fits by Remez
+exchange, rounded to double from the highest coefficient down.
+
+Run ``python -m groundloop.derive.simd.coefficients``; emitting kernels needs neither mpmath nor
+SciPy.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+
+Fit = Callable[[Any], Any]
+TARGET = Path(__file__).with_name("coefficients.json")
+
+
+def remez(f: Fit, weight: Fit, top: mp.mpf, degree: int) -> tuple[list[Any], mp.mpf]:
+    """Minimax polynomial on ``(0, top]``.
+
+    Parameters
+    ----------
+    f, weight : callable
+        Function to fit, and the factor that turns an error of it into the error that counts.
+    top : mpf
+        Upper end of the interval.
+    degree : int
+        Degree of the polynomial.
+
+    Returns
+    -------
+    coefficients : list of mpf
+        In ascending order.
+    error : mpf
+        Largest weighted error.
+    """
+    count = degree + 2
+    nodes = [top * (1 - mp.cos(mp.pi * (k + mp.mpf("0.5")) / count)) / 2 for k in range(count)]
+    grid = [top * (1 - mp.cos(mp.pi * (k + mp.mpf("0.5")) / 600)) / 2 for k in range(600)]
+    for _ in range(12):
+        system, right = mp.matrix(count, count), mp.matrix(count, 1)
+        for row, s in enumerate(nodes):
+            for power in range(degree + 1):
+                system[row, power] = s**power
+            system[row, degree + 1] = (-1) ** row / weight(s)
+            right[row] = f(s)
+        solution = mp.lu_solve(system, right)
+        coefficients = list(solution)[: degree + 1]
+        residual = [(mp.polyval(coefficients[::-1], s) - f(s)) * weight(s) for s in grid]
+        nodes = alternation(grid, residual, count) or nodes
+    return coefficients, max(abs(value) for value in residual)
+
+
+def alternation(grid: list[Any], residual: list[Any], count: int) -> list[Any] | None:
+    """Pick the extremum of each run of equal sign; ``None`` if there are too few runs."""
+    best: list[int] = []
+    for index, value in enumerate(residual):
+        if best and (residual[best[-1]] > 0) == (value > 0):
+            if abs(value) > abs(residual[best[-1]]):
+                best[-1] = index
+        else:
+            best.append(index)
+    return [grid[k] for k in best[:count]] if len(best) >= count else None
+
+
+def polynomial(name: str, ratio: Fit, top: mp.mpf, degree: int) -> dict[str, Any]:
+    """Fit ``P`` in ``function(t) = t + t s P(s)``, ``s = t**2``, for a relative error bound."""
+    coefficients, error = remez(lambda s: (ratio(s) - 1) / s, lambda s: s / ratio(s), top, degree)
+    print(f"{name}: degree {degree}, relative error {mp.nstr(error, 3)}")
+    return {"coefficients": [float(c) for c in coefficients], "error": float(error)}
+
+
+def split(constant: mp.mpf, bits: int, parts: int) -> list[float]:
+    """Cody-Waite parts: each but the last has ``bits`` significant bits, so products are exact."""
+    pieces = []
+    for _ in range(parts - 1):
+        exponent = mp.floor(mp.log(abs(constant), 2)) - bits + 1
+        piece = mp.floor(constant / mp.mpf(2) ** exponent) * mp.mpf(2) ** exponent
+        pieces.append(float(piece))
+        constant -= piece
+    return [*pieces, float(constant)]
+
+
+def tableau() -> dict[str, Any]:
+    """DOP853 as nested lists of doubles."""
+    from scipy.integrate._ivp import dop853_coefficients as source
+
+    return {
+        "A": [[float(a) for a in source.A[i, :i]] for i in range(source.N_STAGES_EXTENDED)],
+        "B": [float(b) for b in source.B],
+        "E3": [float(e) for e in source.E3[: source.N_STAGES]],
+        "E5": [float(e) for e in source.E5[: source.N_STAGES]],
+        "D": [[float(d) for d in row] for row in source.D],
+    }
+
+
+def main() -> None:
+    """Compute every number and write the file."""
+    mp.mp.dps = 40
+    eighth = mp.tan(mp.pi / 8)
+    data = {
+        "atan": polynomial("atan", lambda s: mp.atan(mp.sqrt(s)) / mp.sqrt(s), eighth**2, 10),
+        "sin": polynomial(
+            "sin", lambda s: mp.sin(mp.sqrt(s)) / mp.sqrt(s), (mp.pi / 2) ** 2 * mp.mpf("1.001"), 7
+        ),
+        "tan_pi_8": float(eighth),
+        "pi_parts": split(mp.pi, 33, 3),
+        "dop853": tableau(),
+    }
+    TARGET.write_text(json.dumps(data, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,227 @@
+"""Turn nodes of an expression graph into C statements for one lane.
+
+A right-hand side with a chain of curves (atan of atan of sin) makes a loop too long for a
+processor to overlap its lanes. `schedule` therefore cuts the chain into phases, each of which
+becomes a short loop over the lanes; what passes from one to the next goes through scratch arrays.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from .graph import Graph
+
+_HERE = Path(__file__).parent
+#: Runge-Kutta tableau and polynomials; see `coefficients`.
+NUMBERS = json.loads((_HERE / "coefficients.json").read_text())
+
+INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+CURVES = {"atan", "sin", "cos", "tan", "exp", "log", "pow", "tanh", "asin", "acos", "atan2"}
+COMPARE = {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
+LANE_FUNCTION = {
+    "atan": "lane_atan",
+    "sin": "lane_sin",
+    "cos": "lane_cos",
+    "tan": "lane_tan",
+    "fmin": "lane_min",
+    "fmax": "lane_max",
+    "sign": "lane_sign",
+}
+
+
+def literal(value: float) -> str:
+    """A double as C text that reads back to the same bits."""
+    if math.isnan(value):
+        return "NAN"
+    if math.isinf(value):
+        return "INFINITY" if value > 0 else "-INFINITY"
+    return repr(float(value))
+
+
+# --- Statements -------------------------------------------------------------------------------
+
+
+def expression(graph: Graph, node: int, name: dict[int, str]) -> str:
+    """C expression of one operation on named values."""
+    op, args = graph.nodes[node][:2]
+    a = [operand(graph, i, name) for i in args]
+    if op == "mul" and a[0] == "-1.0":
+        return f"-{a[1]}"
+    if op in INFIX:
+        return f"{a[0]} {INFIX[op]} {a[1]}"
+    if op in COMPARE:
+        return f"{a[0]} {COMPARE[op]} {a[1]} ? 1.0 : 0.0"
+    if op in ("and", "or"):
+        return f"({a[0]} != 0.0) {'&' if op == 'and' else '|'} ({a[1]} != 0.0) ? 1.0 : 0.0"
+    if op == "not":
+        return f"{a[0]} == 0.0 ? 1.0 : 0.0"
+    if op == "select":
+        return f"{a[0]} != 0.0 ? {a[1]} : 0.0"
+    if op == "choose":
+        return f"{a[0]} != 0.0 ? {a[1]} : {a[2]}"
+    return f"{LANE_FUNCTION.get(op, op)}({', '.join(a)})"
+
+
+def operand(graph: Graph, node: int, name: dict[int, str]) -> str:
+    """A named value, or a literal."""
+    if graph.nodes[node].op == "number":
+        text = literal(graph.nodes[node].number)
+        return text if graph.nodes[node].number >= 0 or text == "-1.0" else f"({text})"
+    return name[node]
+
+
+def statements(
+    graph: Graph, targets: Sequence[int], name: dict[int, str], prefix: str = "w"
+) -> list[str]:
+    """One declaration for every operation that the targets need and that has no name yet."""
+    lines, stack = [], list(targets)
+    needed: set[int] = set()
+    while stack:
+        node = stack.pop()
+        if node not in needed and node not in name and graph.nodes[node].op != "number":
+            needed.add(node)
+            stack.extend(graph.nodes[node].args)
+    for count, node in enumerate(sorted(needed)):
+        lines.append(f"const double {prefix}{count} = {expression(graph, node, name)};")
+        name[node] = f"{prefix}{count}"
+    return lines
+
+
+def block(head: str, body: Sequence[str]) -> str:
+    """A C function."""
+    return "\n".join([head, "{", *(f"    {line}" for line in body), "}", ""])
+
+
+def loop_function(head: str, body: Sequence[str]) -> str:
+    """A C function that does the same for all lanes."""
+    return block(head, ["LANE_LOOP {", *(f"    {line}" for line in body), "}"])
+
+
+# --- Phases -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """Phase of every node that changes in time, number of phases, and what passes between them."""
+
+    phase: dict[int, int]
+    count: int
+    crossing: list[int]
+
+
+def schedule(graph: Graph, targets: Sequence[int]) -> Schedule:
+    """Begin a new phase wherever a curve follows another curve."""
+    links: dict[int, int] = {}
+    phase: dict[int, int] = {}
+    last: dict[int, int] = {}  # last phase in which a node is read
+    for node in graph.closure(targets):
+        if graph.varies[node]:
+            args = [a for a in graph.nodes[node].args if graph.varies[a]]
+            curve = graph.nodes[node].op in CURVES
+            links[node] = max((links[a] for a in args), default=0) + curve
+            phase[node] = max([*(phase[a] for a in args), links[node] - 1 if curve else 0])
+            last |= {a: max(last.get(a, 0), phase[node]) for a in args}
+    crossing = [node for node in sorted(last) if last[node] > phase[node]]
+    return Schedule(phase, 1 + max(phase.values(), default=0), crossing)
+
+
+@dataclass(frozen=True)
+class Phases:
+    """C text of the functions ``name0, name1, ...``, their number and that of scratch arrays."""
+
+    text: str
+    count: int
+    scratch: int
+
+
+def phase_functions(
+    name: str,
+    graph: Graph,
+    constants: Sequence[int],
+    targets: Sequence[tuple[int, str]],
+    leaves: Sequence[str],
+) -> Phases:
+    """Inline functions of one lane that together compute the targets.
+
+    Parameters
+    ----------
+    name : str
+        Of the functions; a number is appended.
+    graph : Graph
+    constants : sequence of int
+        Nodes found in ``c``.
+    targets : sequence of tuple
+        Nodes, and the C places where they go.
+    leaves : sequence of str
+        Arguments of the first function: states (and a direction).
+    """
+    plan = schedule(graph, [node for node, _ in targets])
+    known = {node: f"c[{k}][l]" for k, node in enumerate(constants)}
+    arguments = {n: graph.nodes[n].name for n in plan.phase if graph.nodes[n].op == "leaf"}
+    functions = []
+    for step in range(plan.count):
+        local = known | (arguments if step == 0 else {})
+        out = [(node, place) for node, place in targets if plan.phase.get(node, 0) == step]
+        keep = [node for node in plan.crossing if plan.phase[node] == step]
+        here = [node for node in plan.phase if plan.phase[node] == step]
+        body = statements(graph, here, local)
+        body += [f"w[{plan.crossing.index(node)}][l] = {local[node]};" for node in keep]
+        body += [f"{place} = {operand(graph, node, local)};" for node, place in out]
+        inputs = "".join(f", double {leaf}" for leaf in leaves) if step == 0 else ""
+        head = (
+            f"INLINE void {name}{step}(const lanes *c, lanes *w, lanes *f, lanes *g, int l{inputs})"
+        )
+        functions.append(block(head, body))
+        known |= {node: f"w[{plan.crossing.index(node)}][l]" for node in keep}
+    return Phases("\n".join(functions), plan.count, len(plan.crossing))
+
+
+def call_phases(
+    name: str, count: int, where: str, arguments: Sequence[str], before: Sequence[str] = ()
+) -> list[str]:
+    """Loops over the lanes, one for each phase; ``where`` names the arrays ``c, w, f, g``."""
+    first = ", ".join([where, "l", *arguments])
+    lines = ["LANE_LOOP {", *(f"    {line}" for line in before), f"    {name}0({first});", "}"]
+    return lines + [f"LANE_LOOP {name}{k}({where}, l);" for k in range(1, count)]
+
+
+# --- Polynomials ------------------------------------------------------------------------------
+
+
+def even_odd(coefficients: Sequence[float]) -> str:
+    """Polynomial in ``s`` as two interleaved Horner chains in ``s2 = s * s``."""
+
+    def chain(part: Sequence[float]) -> str:
+        text = literal(part[-1])
+        for value in reversed(part[:-1]):
+            text = f"({literal(value)} + s2 * {text})"
+        return text
+
+    return f"{chain(coefficients[0::2])} + s * {chain(coefficients[1::2])}"
+
+
+def template(file: str, pieces: Mapping[str, str]) -> str:
+    """Text of a C file of this folder with pieces put in for their marks."""
+    text = (_HERE / file).read_text()
+    for mark, piece in pieces.items():
+        text = text.replace(mark, piece)
+    return text
+
+
+def elementary() -> str:
+    """The elementary functions with their polynomials."""
+    eighth, (high, middle, low) = NUMBERS["tan_pi_8"], NUMBERS["pi_parts"]
+    values = {
+        "@ATAN@": even_odd(NUMBERS["atan"]["coefficients"]),
+        "@SIN@": even_odd(NUMBERS["sin"]["coefficients"]),
+        "@TAN_PI_8@": literal(eighth),
+        "@COT_PI_8@": literal(1.0 / eighth),
+        "@PI_HIGH@": literal(high),
+        "@PI_MIDDLE@": literal(middle),
+        "@PI_LOW@": literal(low),
+    }
+    return template("elementary.c", values)

@@ -1,0 +1,145 @@
+"""Work cut into chunks: bounded memory, progress, interruption, any executor."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from .arrays import FloatArray
+from .errors import GroundloopError
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+#: Called with what is done and how much there is in all; True draws a bar on a terminal.
+Progress = Callable[[int, int], object] | bool | None
+
+#: Chunks that wait at an executor, so that it never idles and memory stays bounded.
+_WAITING = 32
+
+
+def run(
+    work: Callable[[T], R],
+    chunks: Sequence[range],
+    task: Callable[[range], T],
+    keep: Callable[[range, R], object],
+    executor: Executor | None = None,
+    progress: Progress = None,
+) -> None:
+    """Do `work` on the task of every chunk and `keep` what comes of it.
+
+    Ctrl-C takes effect between chunks; what waits at the executor is cancelled.
+
+    Parameters
+    ----------
+    work : callable
+        To be pickled if there is an executor.
+    chunks : sequence of range
+        What each task is about.
+    task, keep : callable
+        Make a task; put its result away. Both run here.
+    executor : concurrent.futures.Executor, optional
+        Where `work` runs; here if omitted.
+    progress : callable or bool, optional
+        See `Progress`.
+    """
+    total = sum(map(len, chunks))
+    with _shown(progress) as show:
+        done = 0
+        for chunk, result in _results(work, chunks, task, executor):
+            keep(chunk, result)
+            done += len(chunk)
+            show(done, total)
+
+
+def _results(
+    work: Callable[[T], R],
+    chunks: Sequence[range],
+    task: Callable[[range], T],
+    executor: Executor | None,
+) -> Iterator[tuple[range, R]]:
+    if executor is None:
+        yield from ((chunk, work(task(chunk))) for chunk in chunks)
+        return
+    waiting: dict[Future[R], range] = {}
+    rest = iter(chunks)
+    try:
+        while True:
+            while len(waiting) < _WAITING and (chunk := next(rest, None)) is not None:
+                waiting[executor.submit(work, task(chunk))] = chunk
+            if not waiting:
+                return
+            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                yield waiting.pop(future), future.result()
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+@contextmanager
+def _shown(progress: Progress) -> Iterator[Callable[[int, int], object]]:
+    if callable(progress):
+        yield progress
+    elif not progress:
+        yield lambda done, total: None
+    else:
+        from .cli.progress import progress as bar
+
+        with bar() as show:
+            yield lambda done, total: show("trajectories", done, total)
+
+
+def cut(total: int, size: int) -> list[range]:
+    """Consecutive ranges of at most `size` that cover 0 to `total`."""
+    return [range(start, min(start + size, total)) for start in range(0, total, size)]
+
+
+def piece(array: FloatArray, shape: tuple[int, ...], chunk: range) -> FloatArray:
+    """Part of an array that broadcasts to `shape`, in that shape's flat order; scalars stay."""
+    if array.size == 1:
+        return array.reshape(())
+    whole = np.broadcast_to(array, shape)
+    if whole.flags.c_contiguous:
+        return whole.reshape(-1)[chunk.start : chunk.stop]
+    return np.asarray(whole.flat[chunk.start : chunk.stop])
+
+
+def thread_count(threads: Any) -> int:
+    """Number of threads to use; every processor this process may run on if None."""
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+    if isinstance(threads, bool) or int(threads) != threads or threads < 1:
+        raise GroundloopError(f"threads must be a whole number from 1, not {threads!r}")
+    return int(threads)
+
+
+def check_memory(needed: int, what: str) -> None:
+    """Refuse what does not fit into memory, before any work starts."""
+    there = _available()
+    if needed > there:
+        raise GroundloopError(
+            f"{what} take {_gigabytes(needed)}, but there are only {_gigabytes(there)} of memory;"
+            " ask for fewer names or times, or run parts one after the other"
+        )
+
+
+def _gigabytes(size: int) -> str:
+    return f"{size / 2**30:.1f} GiB"
+
+
+def _available() -> int:
+    """Bytes that can still be had: what the system says, or the limit of its container."""
+    found = [os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")]
+    try:
+        lines = Path("/proc/meminfo").read_text().splitlines()
+        found += [int(x.split()[1]) * 1024 for x in lines if x.startswith("MemAvailable")]
+        found.append(int(Path("/sys/fs/cgroup/memory.max").read_text()))
+    except (OSError, ValueError):
+        pass
+    return min(found)

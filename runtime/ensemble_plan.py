@@ -1,0 +1,258 @@
+"""What an ensemble is asked for: checked, laid out, and cut into tasks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from .aircraft import Aircraft, parameter_symbols
+from .arrays import FloatArray, broadcast, finite
+from .chunks import piece
+from .ensemble_result import Ensemble, Named
+from .errors import GroundloopError, unknown
+from .generated import kernels
+from .generated.kernels import Outcome, Task
+from .generated.names import KERNELS, QUANTITIES
+from .names import signature, symbol
+
+#: Finest and coarsest `tol`.
+TOLERANCES = (1e-11, 1e-3)
+#: Bytes that the results of one chunk may take.
+_CHUNK_BYTES = 2**26
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything about an ensemble but its chunks."""
+
+    aircraft: Aircraft
+    tire: str
+    shape: tuple[int, ...]
+    start: dict[str, FloatArray]
+    inputs: dict[str, FloatArray]
+    t: float
+    tol: float
+    at: FloatArray
+    names: tuple[str, ...]
+    chunk: int
+    watched: tuple[str, ...] = ()
+    limits: Mapping[str, float] | None = None
+    within: Mapping[str, float] | None = None
+
+    @property
+    def kernel(self) -> str:
+        """The kernel that carries no more than is needed."""
+        carrying = [k for k, kernel in KERNELS.items() if kernel.model == self.tire]
+        carrying.sort(key=lambda k: len(KERNELS[k].states))
+        wanted = {*self.names, *self.watched}
+        return next(k for k in carrying if wanted <= set(kernels.rows(k)))
+
+    @property
+    def final(self) -> tuple[str, ...]:
+        """The names that are states."""
+        return tuple(s for s in self.names if s in signature(self.tire).states)
+
+    @property
+    def bytes_each(self) -> int:
+        """Bytes of the result of one trajectory."""
+        numbers = len(self.final) + len(self.names) * self.at.size + 2 * len(self.watched)
+        return 8 * numbers + 1 + 4 + 8
+
+    @property
+    def follows(self) -> bool:
+        """Whether a parameter that follows from others varies."""
+        return any(value.ndim for value in self.aircraft.given.values())
+
+    def task(self, chunk: range) -> Task:
+        """The trajectories of a chunk."""
+        cut_out = partial(piece, shape=self.shape, chunk=chunk)
+        given = {s: cut_out(value) for s, value in self.aircraft.given.items()}
+        plane = replace(self.aircraft, given=given)
+        names = signature(self.tire)
+        p = [cut_out(self.inputs[s]) for s in names.inputs]
+        p += [plane[s] for s in names.parameters]
+        x0 = [cut_out(self.start[s]) for s in KERNELS[self.kernel].states]
+        return Task(
+            kernel=self.kernel,
+            x0=tuple(map(np.atleast_1d, x0)),
+            p=tuple(map(np.atleast_1d, p)),
+            count=len(chunk),
+            t=self.t,
+            tol=self.tol,
+            times=self.at,
+            sampled=self.names if self.at.size else (),
+            watched=self.watched,
+            limits=dict(self.limits or {}),
+            within=dict(self.within or {}),
+        )
+
+    def empty_result(self) -> Outcome:
+        """Room for all trajectories."""
+        n = math.prod(self.shape)
+        sampled = self.names if self.at.size else ()
+        return Outcome(
+            status=np.empty(n, np.int8),
+            steps=np.empty(n, np.int32),
+            estimate=np.empty(n),
+            final={s: np.empty(n) for s in self.final},
+            samples={s: np.empty((n, self.at.size)) for s in sampled},
+            largest={s: np.empty(n) for s in self.watched},
+            first={s: np.empty(n) for s in self.limits or {}},
+        )
+
+    def shaped(self, result: Outcome) -> Ensemble:
+        """The result in the shape of the trajectories."""
+
+        def named(arrays: Mapping[str, FloatArray], what: str) -> Named:
+            each = {s: v.reshape(*self.shape, *v.shape[1:]) for s, v in arrays.items()}
+            return Named(each, what)
+
+        return Ensemble(
+            aircraft=self.aircraft,
+            tire=self.tire,
+            t=self.t,
+            tol=self.tol,
+            status=result.status.reshape(self.shape),
+            steps=result.steps.reshape(self.shape),
+            estimate=result.estimate.reshape(self.shape),
+            final=named(result.final, "final states"),
+            at=self.at,
+            samples=named(result.samples, "samples"),
+            largest=named(result.largest, "extremes"),
+            first=named(result.first, "limits"),
+            limits=dict(self.limits or {}),
+            within=dict(self.within or {}),
+        )
+
+
+def plan(
+    plane: Aircraft,
+    t: Any,
+    tire: str,
+    at: Any,
+    names: Iterable[str] | None,
+    tol: Any,
+    chunk: int,
+    values: Mapping[str, Any],
+) -> Plan:
+    model = signature(tire)
+    duration = _positive("t", t)
+    start, inputs, parameters = _sorted(tire, values)
+    aircraft = plane.replace(**parameters)
+    x0 = {s: finite(f"{s}0", start.get(s, 0.0)) for s in model.states}
+    u = {s: finite(QUANTITIES[s].name, inputs.get(s, 0.0)) for s in model.inputs}
+    own = {f"{s}0": value for s, value in x0.items()}
+    _, shape = broadcast({**aircraft.given, **u, **own})
+    if 0 in shape:
+        raise GroundloopError(f"there is nothing to simulate: the arrays broadcast to {shape}")
+    times = _times(at, duration)
+    if names is None:
+        path = {"X", "Y"} & start.keys()
+        wanted = model.states if path else KERNELS[f"{tire}_ensemble"].states
+    else:
+        allowed = (*model.states, *model.outputs) if times.size else model.states
+        wanted = tuple(symbol(n, "name", allowed, "names") for n in _list("names", names))
+    if isinstance(chunk, bool) or int(chunk) != chunk or chunk < 1:
+        raise GroundloopError(f"chunk must be a whole number from 1, not {chunk!r}")
+    made = Plan(
+        aircraft=aircraft,
+        tire=tire,
+        shape=shape,
+        start=x0,
+        inputs=u,
+        t=duration,
+        tol=check_tolerance(tol),
+        at=times,
+        names=tuple(dict.fromkeys(wanted)),
+        chunk=int(chunk),
+    )
+    return replace(made, chunk=min(made.chunk, max(32, _CHUNK_BYTES // made.bytes_each)))
+
+
+def watching(
+    plan: Plan,
+    extremes: Iterable[str],
+    limits: Mapping[str, float],
+    within: Mapping[str, float],
+) -> Plan:
+    """The plan with extremes, limits and ranges."""
+    model = signature(plan.tire)
+    allowed = (*model.states, *model.outputs)
+
+    def bounds(kind: str, given: Mapping[str, float]) -> dict[str, float]:
+        if not isinstance(given, Mapping):
+            raise GroundloopError(f"{kind} must be a mapping of names to numbers, not {given!r}")
+        return {
+            symbol(name, "name", allowed, kind): _positive(f"{kind}[{name!r}]", value)
+            for name, value in given.items()
+        }
+
+    firsts, ranges = bounds("limits", limits), bounds("within", within)
+    every = [symbol(n, "name", allowed, "extremes") for n in _list("extremes", extremes)]
+    watched = tuple(dict.fromkeys([*every, *firsts, *ranges]))
+    return replace(plan, watched=watched, limits=firsts, within=ranges)
+
+
+def _sorted(
+    tire: str, values: Mapping[str, Any]
+) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+    """Initial states and inputs by symbol, and parameters as they were named."""
+    model = signature(tire)
+    start, inputs, parameters = {}, {}, {}
+    begins = {f"{s}0": s for s in model.states}
+    input_names = {name: s for s in model.inputs for name in (s, QUANTITIES[s].name)}
+    for name, value in values.items():
+        if name in begins:
+            start[begins[name]] = value
+        elif name in input_names:
+            inputs[input_names[name]] = value
+        else:
+            _check_name(name, [*begins, *input_names])
+            parameters[name] = value
+    return start, inputs, parameters
+
+
+def _check_name(name: str, others: Iterable[str]) -> None:
+    known = [n for s in parameter_symbols() for n in (s, QUANTITIES[s].name)]
+    if name not in known:
+        raise unknown("argument", name, [*others, *known], "ensemble")
+
+
+def _list(what: str, names: Iterable[str]) -> list[str]:
+    if isinstance(names, str):
+        raise GroundloopError(f"{what} must be a list of names, not the string {names!r}")
+    return list(names)
+
+
+def _positive(name: str, value: Any) -> float:
+    number = finite(name, value)
+    if number.ndim or number <= 0:
+        raise GroundloopError(f"{name} must be a positive number, not {value!r}")
+    return float(number)
+
+
+def check_tolerance(tol: Any) -> float:
+    """`tol` as a number in the range that is offered."""
+    number = _positive("tol", tol)
+    finest, coarsest = TOLERANCES
+    if not finest <= number <= coarsest:
+        raise GroundloopError(f"tol must be from {finest:g} to {coarsest:g}, not {number:g}")
+    return number
+
+
+def _times(at: Any, duration: float) -> FloatArray:
+    if at is None:
+        return np.empty(0)
+    times = np.atleast_1d(finite("at", at))
+    if times.ndim != 1 or times.size == 0 or (np.diff(times) <= 0).any():
+        raise GroundloopError("at must be a list of increasing times")
+    if times[0] < 0 or times[-1] > duration:
+        raise GroundloopError(
+            f"at must lie within 0 to t = {duration:g} s, not {times[0]:g} to {times[-1]:g} s"
+        )
+    return times

@@ -1,0 +1,125 @@
+"""The result of an ensemble: arrays by name, and what became of each trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from .aircraft import Aircraft
+from .arrays import FloatArray
+from .generated.kernels import STATUS
+from .generated.names import QUANTITIES
+from .names import symbol
+
+
+class Named(Mapping[str, FloatArray]):
+    """Arrays by symbol or by full name."""
+
+    def __init__(self, arrays: Mapping[str, FloatArray], what: str) -> None:
+        self._arrays = dict(arrays)
+        self._what = what
+
+    def __getitem__(self, name: str) -> FloatArray:
+        return self._arrays[symbol(name, "name", tuple(self._arrays), self._what)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._arrays)
+
+    def __len__(self) -> int:
+        return len(self._arrays)
+
+    def __repr__(self) -> str:
+        return f"{self._what}: {', '.join(self._arrays) or 'none'}"
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Ensemble:
+    """What became of many trajectories; ``ens["v"]`` is an array over them.
+
+    Attributes
+    ----------
+    aircraft : Aircraft
+        What rolled, its parameters arrays where they vary.
+    tire : str
+        Which model.
+    t, tol : float
+        Duration, s, and the error asked for.
+    status : ndarray of int8
+        What became of each trajectory, an index of `STATUS`: ``ok``; ``not finite``; ``step
+        limit``; ``unsure`` (the end was reached, but the estimated error stayed above `tol`);
+        ``left the range`` (of `within`). Every array has the shape of the trajectories.
+    steps : ndarray of int32
+        Steps that were tried; 0 where that is not known (without a C compiler).
+    estimate : ndarray
+        Estimated error relative to each state's scale; NaN where that is not known.
+    final : mapping of str to ndarray
+        States at the end; NaN unless the status is ``ok`` or ``unsure``.
+    at : ndarray, shape (times,)
+        Times of the samples, s.
+    samples : mapping of str to ndarray, each of shape (*shape, times)
+        States and outputs at those times; NaN after an early end.
+    largest, first : mapping of str to ndarray
+        Largest magnitude, and the first time, s, at which it reached its limit: infinite if never.
+    limits, within : mapping of str to float
+        What was asked for.
+    """
+
+    aircraft: Aircraft
+    tire: str
+    t: float
+    tol: float
+    status: npt.NDArray[np.int8]
+    steps: npt.NDArray[np.int32]
+    estimate: FloatArray
+    final: Named
+    at: FloatArray
+    samples: Named
+    largest: Named
+    first: Named
+    limits: Mapping[str, float]
+    within: Mapping[str, float]
+
+    #: Names of the values of `status`.
+    STATUS = STATUS
+
+    @property
+    def ok(self) -> npt.NDArray[np.bool_]:
+        """Where all went well."""
+        return np.asarray(self.status == 0)
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many trajectories have each status; those that none has are left out."""
+        found = np.bincount(self.status.reshape(-1), minlength=len(STATUS)).tolist()
+        return {name: n for name, n in zip(STATUS, found, strict=True) if n}
+
+    def __getitem__(self, name: str) -> FloatArray:
+        """Samples of a state or output if there are any, its final values otherwise."""
+        return (self.samples if self.at.size else self.final)[name]
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{n} {name}" for name, n in self.counts.items())
+        shape = " x ".join(map(str, self.status.shape)) or "1"
+        lines = [
+            f"Ensemble of {self.aircraft.name!r}, {self.tire} tire: {shape} trajectories of"
+            f" {self.t:g} s, tol {self.tol:g}: {counts}"
+        ]
+        samples = f"at {self.at.size} times"
+        for title, arrays in (("at the end", self.final), (samples, self.samples)):
+            lines += [f"  {title:<12} {_line(s, values)}" for s, values in arrays.items()]
+        lines += [f"  {'largest':<12} {_line(s, values)}" for s, values in self.largest.items()]
+        for name, limit in self.limits.items():
+            share = np.isfinite(self.first[name]).mean()
+            unit = QUANTITIES[name].unit
+            lines.append(f"  {100 * share:.3g} % reach |{name}| = {limit:g} {unit}")
+        return "\n".join(lines)
+
+
+def _line(name: str, values: FloatArray) -> str:
+    q = QUANTITIES[name]
+    good = values[np.isfinite(values)]
+    span = f"{good.min():.4g} to {good.max():.4g}" if good.size else "nowhere finite,"
+    return f"{name:<10} {q.name:<22} {span} {q.unit}"
