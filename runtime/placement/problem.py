@@ -18,6 +18,7 @@ from .case import DESIGN, Case, split, symbolic, vector
 from .envelope import AXES
 
 CORNER = tuple(AXES.values())
+_ARGUMENTS = ("design", "corner", "numbers", "level", "bounds")
 #: Samples of the run that the displacement is read off.
 _SAMPLES = 10
 
@@ -62,11 +63,15 @@ class Problem:
         }
         return scales.get(self.case.objective, 1.0)
 
-    def _arguments(self, kind: type) -> tuple[Any, Any, Any, Any, Any]:
+    def _arguments(self, kind: type[ca.SX] | type[ca.MX]) -> tuple[Any, Any, Any, Any, Any]:
         sizes = (len(DESIGN), len(CORNER), len(self.case.numbers), 1, len(self.case.bounds))
-        names = ("design", "corner", "numbers", "level", "bounds")
-        parts = [kind.sym(n, size) for n, size in zip(names, sizes, strict=True)]
+        parts = [kind.sym(n, size) for n, size in zip(_ARGUMENTS, sizes, strict=True)]
         return parts[0], parts[1], parts[2], parts[3], parts[4]
+
+    @staticmethod
+    def _named(name: str, arguments: tuple[Any, ...], rows: list[Any]) -> ca.Function:
+        inputs = list(_ARGUMENTS[: len(arguments)])
+        return ca.Function(name, list(arguments), [ca.vertcat(*rows)], inputs, ["rows"])
 
     def _linked(self, design: Any, corner: Any, numbers: Any) -> dict[str, Any]:
         values = {
@@ -96,7 +101,7 @@ class Problem:
             rows += [-found["trace_d"] / self.rate, found["det_d"] / self.rate**2]
         for zeta in self._levels("damping_ratio", level, bounds):
             rows.append(conditions(0, zeta)["damping"] / self.rate**2)
-        return ca.Function("margins", list(arguments), [ca.vertcat(*rows)])
+        return self._named("margins", arguments, rows)
 
     def ground_rows(self) -> ca.Function:
         """Loads, angles and lengths between their bounds; of the corner only the CG counts."""
@@ -107,7 +112,7 @@ class Problem:
             for k, b in enumerate(self.case.bounds)
             if b.kind.symbol in values
         ]
-        return ca.Function("ground", list(arguments), [ca.vertcat(*rows)])
+        return self._named("ground", arguments, rows)
 
     def path(self) -> ca.Function:
         """Offset across the runway, Y, at the samples of the run: (design, corner, numbers)."""
@@ -118,7 +123,7 @@ class Problem:
         x0 = np.zeros(len(names.states))
         x0[names.states.index("v")] = self.case.v0
         xf = integrator(self.case.tire, "rk45", times)(x0, np.zeros(len(names.inputs)), parameters)
-        return ca.Function("path", [design, corner, numbers], [xf[names.states.index("Y"), :].T])
+        return self._named("path", (design, corner, numbers), [xf[names.states.index("Y"), :].T])
 
     def _parameters(self) -> ca.Function:
         """The parameter vector of the simulated model."""
@@ -136,7 +141,7 @@ class Problem:
             return None
         Y = self._path(design, corner, numbers)
         rows = [row for most in wanted for row in ((most - Y) / 0.1, (most + Y) / 0.1)]
-        return ca.Function("paths", list(arguments), [ca.vertcat(*rows)])
+        return self._named("paths", arguments, rows)
 
     @cached_property
     def _path(self) -> ca.Function:
@@ -150,8 +155,26 @@ class Problem:
     def displacement(self, design: Mapping[str, float], corners: Mapping[str, Any]) -> FloatArray:
         """Largest |Y| over the samples of the run, m, for each corner."""
         C = np.stack([np.atleast_1d(corners[s]) for s in CORNER])
-        Y = np.array(self._path.map(C.shape[1])(vector(design, DESIGN), C, self.numbers))
-        return np.abs(Y).max(axis=0)
+        mapped = self._mapped(self._path, C.shape[1])
+        Y: FloatArray = np.array(mapped(vector(design, DESIGN), C, self.numbers))
+        most: FloatArray = np.abs(Y).max(axis=0)
+        return most
+
+    def _mapped(self, function: ca.Function, count: int) -> ca.Function:
+        """A function over `count` corners; made once, for making it costs more than a few calls."""
+        key = (function.name(), count)
+        if key not in self._maps:
+            self._maps[key] = function.map("mapped", "serial", count, self._shared(function), [])
+        return self._maps[key]
+
+    @cached_property
+    def _maps(self) -> dict[tuple[str, int], ca.Function]:
+        return {}
+
+    @staticmethod
+    def _shared(function: ca.Function) -> list[int]:
+        """Inputs that are the same at every corner."""
+        return [k for k in range(function.n_in()) if function.name_in(k) != "corner"]
 
     def residuals(
         self,
@@ -166,9 +189,6 @@ class Problem:
         margins, ground, paths = self.rows
         functions = ([paths] if paths else []) if path else [margins, ground]
         C = np.stack([corners[s] for s in CORNER])
-        parts = [
-            np.array(f.map(C.shape[1])(vector(design, DESIGN), C, self.numbers, level, bounds))
-            for f in functions
-            if f.size1_out(0)
-        ]
+        given = (vector(design, DESIGN), C, self.numbers, level, bounds)
+        parts = [np.array(self._mapped(f, C.shape[1])(*given)) for f in functions if f.size1_out(0)]
         return np.concatenate(parts) if parts else np.zeros((0, C.shape[1]))

@@ -15,7 +15,7 @@ from groundloop.arrays import FloatArray
 from .case import DESIGN, vector
 from .problem import CORNER, Problem
 
-_IPOPT = {
+_IPOPT: Any = {
     "print_time": False,
     "error_on_fail": False,
     "show_eval_warnings": False,
@@ -121,7 +121,8 @@ class Program:
             f = -LEVELS[case.objective] * level
         else:
             f = self._change(z, low, high)
-        return ca.nlpsol("placement", "ipopt", {"x": x, "p": p, "f": f, "g": g}, _IPOPT)
+        program: Any = {"x": x, "p": p, "f": f, "g": g}
+        return ca.nlpsol("placement", "ipopt", program, _IPOPT)
 
     def _change(self, z: Any, low: Any, high: Any) -> Any:
         """Square of the change from today, in widths of the box; what is new costs nothing."""

@@ -14,9 +14,10 @@ from groundloop.aircraft import Aircraft
 from groundloop.generated.names import QUANTITIES
 from groundloop.simulation import Trajectory, simulate
 
-from .assess import Assessment, Price, Standing, Worst, describe
+from .assess import Assessment, Standing, Worst
 from .case import VARIABLES, Case
 from .limits import KINDS, SHOWN, shown
+from .prices import Price, describe
 from .search import Points
 
 if TYPE_CHECKING:
@@ -92,11 +93,17 @@ class Placement:
     @cached_property
     def aircraft(self) -> Aircraft:
         """Today's aircraft with the new design, at its own speed and CG."""
-        changes = {s: self.design[s] for s in ("x_main", "x_tail", "Ap")}
-        changes |= {arm: None for arm in ("a", "b") if arm in self.case.plane.given}
+        plane, scale = self.case.plane, self.design["kappa"]
+        changes: dict[str, Any] = {s: self.design[s] for s in ("x_main", "x_tail", "Ap")}
+        # a scaled tail wheel: of its stiffness where that is given, of its curve where it follows
+        curve = ("K1", "K2", "K3", "K4")
+        scaled = curve if self.case.stiffness == "following" and scale else ("Ct",)
+        if scale != 1:
+            changes |= {s: scale * plane[s] if scale else 0.0 for s in scaled}
+        changes |= {arm: None for arm in ("a", "b") if arm in plane.given}
         if np.isfinite(self.design["x_nose"]):
             changes["x_nose"] = self.design["x_nose"]
-        return self.case.plane.replace(**changes)
+        return plane.replace(**changes)
 
     @cached_property
     def proof(self) -> Trajectory:
@@ -131,7 +138,7 @@ class Placement:
     def __repr__(self) -> str:
         words, noun, unit = _OBJECTIVES[self.case.objective]
         kept = {s for s, axis in self.case.axes.items() if axis.low != axis.high} | {"u", "x_cg"}
-        where = describe(self.worst.corner, dict.fromkeys(kept))
+        where = describe(self.worst.corner, kept)
         today = self.today.objective(self.case.objective) if self.today else None
         # of a change the decay rate that it brings is told
         name, of = (noun, unit) if noun != "change" else ("decay rate", "1/s")

@@ -26,7 +26,7 @@ _VIOLATED = -1e-8
 _NEAR = 0.05
 _ROUNDS = 25
 #: Points of the dense check: of closed forms, and of simulated runs.
-BUDGET = 40_000
+BUDGET = 15_000
 PATH_BUDGET = 400
 
 Points = Mapping[str, FloatArray]
@@ -193,7 +193,8 @@ def _violated(
 
     def simulated(points: Points) -> FloatArray:
         residuals = problem.residuals(design, solution.level, values, points, path=True)
-        return residuals.min(axis=0, keepdims=True)
+        least_of_all: FloatArray = residuals.min(axis=0, keepdims=True)
+        return least_of_all
 
     checks = [(closed, BUDGET)]
     if problem.rows[2] is not None:
