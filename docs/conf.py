@@ -23,8 +23,8 @@ def _errata_page() -> str:
     lines = [
         "# Errata of the thesis",
         "",
-        "Where the print contradicts itself, its own data or its own program, and what we rest that",
-        "on. The numbers are those in the study's ledger.",
+        "Where the print contradicts itself, its own data or its own program, and what we rest",
+        "that on. The numbers are those in the study's ledger.",
         "",
     ]
     for entry in tomllib.loads(data.read_text(encoding="utf-8"))["erratum"]:

@@ -176,6 +176,13 @@ class Aircraft:
             symbol(name, "parameter", parameter_symbols(), f"aircraft {self.name}")
         )
 
+    def get(self, name: str, default: FloatArray) -> FloatArray:
+        """Value of a parameter, or `default` where it is neither given nor follows."""
+        try:
+            return self[name]
+        except GroundloopError:
+            return default
+
     def __contains__(self, name: object) -> bool:
         try:
             self[str(name)]

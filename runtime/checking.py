@@ -137,7 +137,7 @@ def _limits(plane: Aircraft) -> Iterator[Known]:
     slots = {slot: stations.get(slot, slot) for slot in build("placement_limits").name_in()}
     unknown = np.asarray(np.nan)
     results = elementwise(
-        "placement_limits", {slot: plane[s] if s in plane else unknown for slot, s in slots.items()}
+        "placement_limits", {slot: plane.get(s, unknown) for slot, s in slots.items()}
     )
     for s, (gears, needed) in _LIMITS.items():
         symbols = [slots[slot] for slot in needed]
