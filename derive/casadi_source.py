@@ -52,8 +52,13 @@ class CasadiPrinter(CodePrinter):  # type: ignore[misc]
             raise NotImplementedError(f"{expr} has no otherwise-branch")
         text: str = self._print(last)
         for value, condition in reversed(branches):
-            text = f"ca.if_else({self._print(condition)}, {self._print(value)}, {text})"
+            text = f"ca.if_else({self._condition(condition)}, {self._print(value)}, {text})"
         return text
+
+    def _condition(self, condition: sp.Basic) -> str:
+        if not isinstance(condition, sp.Gt | sp.Ge | sp.Lt | sp.Le):
+            raise NotImplementedError(f"{condition} is no comparison of two numbers")
+        return f"{self._print(condition.lhs)} {condition.rel_op} {self._print(condition.rhs)}"
 
     def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
         if expr.exp == sp.Rational(1, 2):
@@ -72,6 +77,9 @@ class CasadiPrinter(CodePrinter):  # type: ignore[misc]
 
     def emptyPrinter(self, expr: object) -> str:
         raise NotImplementedError(f"{type(expr).__name__} has no CasADi operation: {expr}")
+
+    # SymPy would print these in its own way
+    _print_Pi = _print_Exp1 = _print_ImaginaryUnit = _print_Sum = emptyPrinter
 
     def _operation(self, expr: sp.Function) -> str:
         name = expr.func.__name__

@@ -41,7 +41,11 @@ natural_frequency = Quantity(
     "natural_frequency", "natural_frequency", "rad/s", "undamped natural frequency", r"\omega_n"
 )
 damped_frequency = Quantity(
-    "damped_frequency", "damped_frequency", "rad/s", "|Im(eigenvalue)|", r"\omega_d"
+    "damped_frequency",
+    "damped_frequency",
+    "rad/s",
+    "size of the imaginary part of an eigenvalue",
+    r"\omega_d",
 )
 damping_ratio = Quantity(
     "damping_ratio", "damping_ratio", "1", "above 1: two real eigenvalues", r"\zeta"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 
 import sympy as sp
 
@@ -57,6 +58,7 @@ _PRINTED = {
 }
 
 
+@cache
 def linear() -> Model:
     """The thesis's linear model (Section 4.5)."""
     model = linearise(linear_tire_model())
@@ -64,10 +66,13 @@ def linear() -> Model:
     return model.replace(chain=tuple(chain))
 
 
+@cache
 def state_space(model: Model) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix, sp.Matrix]:
     """A, B, C, D of a linear model: x' = A x + B u, y = C x + D u with x = (v, r)."""
-    rates = sp.Matrix([model.explicit(model.rates[model.states.index(s)]) for s in model.dynamic])
-    outputs = sp.Matrix([model.explicit(q) for q in model.outputs])
+    rates = sp.ImmutableMatrix(
+        [model.explicit(model.rates[model.states.index(s)]) for s in model.dynamic]
+    )
+    outputs = sp.ImmutableMatrix([model.explicit(q) for q in model.outputs])
     states, inputs = sp.Matrix(model.dynamic), sp.Matrix(model.inputs)
     A, B = rates.jacobian(states), rates.jacobian(inputs)
     C, D = outputs.jacobian(states), outputs.jacobian(inputs)

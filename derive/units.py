@@ -6,6 +6,7 @@ quantity is declared in radians (`derive.quantities`).
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import sympy as sp
@@ -20,8 +21,20 @@ class UnitError(ValueError):
 
 @cache
 def unit(text: str) -> sp.Expr:
-    """A unit such as ``"kg m^2"`` or ``"1/(rad N)"`` as a monomial in kg, m and s."""
-    return sp.sympify(text.replace("^", "**").replace(" ", "*"), locals={**BASE, **_DERIVED})
+    """A unit such as ``"kg m^2"`` or ``"1/(rad N)"`` as a monomial in kg, m and s.
+
+    Raises
+    ------
+    UnitError
+        If the text holds anything else; the message lists the names it may hold.
+    """
+    known = {**BASE, **_DERIVED}
+    if set(re.findall(r"[^\W\d]\w*", text)) <= known.keys():
+        try:
+            return sp.sympify(text.replace("^", "**").replace(" ", "*"), locals=known)
+        except sp.SympifyError:
+            pass
+    raise UnitError(f"{text!r} is no unit; units are made of {', '.join(known)}")
 
 
 def unit_of(expr: sp.Expr) -> sp.Expr:
@@ -54,8 +67,14 @@ def unit_of(expr: sp.Expr) -> sp.Expr:
 
 def check_unit(expr: sp.Expr, expected: str, where: str) -> None:
     """Raise `UnitError` unless `expr` has the unit `expected`; zero has every unit."""
-    if expr != 0 and (found := unit_of(expr)) != unit(expected):
-        raise UnitError(f"{where}: the right side has unit {found}, the left side {unit(expected)}")
+    try:
+        fits = expr == 0 or unit_of(expr) == unit(expected)
+    except UnitError as problem:
+        raise UnitError(f"{where}: {problem}") from None
+    if not fits:
+        raise UnitError(
+            f"{where}: the right side has unit {unit_of(expr)}, the left side {unit(expected)}"
+        )
 
 
 def _require_number(expr: sp.Expr, what: str) -> None:

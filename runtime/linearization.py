@@ -61,7 +61,7 @@ class Linearization:
     damping_ratio : ndarray
         -tr A / (2 sqrt(det A)); above 1 the eigenvalues are real; NaN where det A < 0.
     natural_frequency, damped_frequency : ndarray
-        sqrt(det A) and |Im(eigenvalue)|, rad/s.
+        sqrt(det A) and the size of the imaginary part, rad/s.
     """
 
     A: FloatArray

@@ -130,7 +130,6 @@ def test_rk45_says_so_when_it_cannot_integrate(model: str):
         load(f"{model}_rk45")(state(v=np.nan), NO_INPUT, parameters(model), 1.0)
 
 
-@pytest.mark.xfail(strict=True, raises=RuntimeError, reason="10000 steps are not enough")
 def test_rk45_follows_an_aircraft_that_spins():
     """Trial 3 after 5 s, as in Fig. 4.7: the linear model has turned 250 times by then."""
     p = parameters("linear", **TRIALS[3].changes)

@@ -13,7 +13,13 @@ import casadi as ca
 #: Options of CasADi's `erk` for each method. The tape bounds the steps an adjoint can retrace.
 METHODS: dict[str, dict[str, Any]] = {
     "rk4": {"method": "rk4", "step_size": 1.0},
-    "rk45": {"method": "rk45", "reltol": 1e-11, "abstol": 1e-13, "max_tape_steps": 2000},
+    "rk45": {
+        "method": "rk45",
+        "reltol": 1e-11,
+        "abstol": 1e-13,
+        "max_num_steps": 1_000_000,
+        "max_tape_steps": 2000,
+    },
 }
 
 
