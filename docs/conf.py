@@ -1,5 +1,9 @@
 """Sphinx configuration: `make docs` builds with warnings as errors."""
 
+import tomllib
+from pathlib import Path
+from typing import Any
+
 project = "groundloop"
 author = "The groundloop authors"
 copyright = author
@@ -16,9 +20,6 @@ exclude_patterns = ["_build", "examples"]
 
 def _errata_page() -> str:
     """The errata of the thesis as a page; the study's data file is their only home."""
-    import tomllib
-    from pathlib import Path
-
     data = Path(__file__).parent.parent / "runtime" / "study" / "data" / "errata.toml"
     lines = [
         "# Errata of the thesis",
@@ -34,8 +35,14 @@ def _errata_page() -> str:
     return "\n".join(lines)
 
 
-def setup(app: object) -> None:
-    """Write the pages that come from data."""
-    from pathlib import Path
+def _escape(
+    app: object, what: str, name: str, obj: object, options: object, lines: list[str]
+) -> None:
+    """Docstrings are written to be read as they are: |x| and (*shape, n) mean just that."""
+    lines[:] = [line.replace("|", r"\|").replace("*shape", r"\*shape") for line in lines]
 
+
+def setup(app: Any) -> None:
+    """Write the pages that come from data."""
     (Path(__file__).parent / "errata.md").write_text(_errata_page(), encoding="utf-8")
+    app.connect("autodoc-process-docstring", _escape, priority=400)

@@ -1,0 +1,48 @@
+"""Every block of code in the README and in the documentation runs as it stands."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import matplotlib as mpl
+import pytest
+
+from groundloop.cli import main
+
+ROOT = Path(__file__).parent.parent
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+BLOCK = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+
+
+def blocks(page: Path) -> list[tuple[str, str]]:
+    return BLOCK.findall(page.read_text(encoding="utf-8"))
+
+
+def exit_code(arguments: list[str]) -> object:
+    try:
+        main(arguments)
+    except SystemExit as finished:
+        return finished.code or 0
+    return 0
+
+
+def test_there_are_blocks_to_run() -> None:
+    assert sum(len(blocks(page)) for page in PAGES) > 10
+
+
+@pytest.mark.parametrize("page", [p for p in PAGES if blocks(p)], ids=lambda p: p.stem)
+def test_code_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the order of the page and in one namespace, as a reader would type it."""
+    monkeypatch.chdir(tmp_path)
+    mpl.use("Agg")
+    namespace: dict[str, object] = {}
+    for language, code in blocks(page):
+        if language == "python":
+            exec(compile(code, page.name, "exec"), namespace)
+            continue
+        for line in code.splitlines():
+            program, *arguments = shlex.split(line.removeprefix("$ "))
+            assert program == "groundloop"
+            assert exit_code(arguments) == 0, line
