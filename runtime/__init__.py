@@ -48,7 +48,8 @@ if TYPE_CHECKING:
         margins,
         speed_window,
     )
-    from .tire_fit import TireData, fit_tire
+    from .tire_data import TireData
+    from .tire_fit import fit_tire
     from .trimming import Trim, trim
 
 #: Public name -> module; imported on first use, so that `import groundloop` is cheap.
@@ -73,7 +74,7 @@ _HOME = {
     "SpeedWindow": "stability",
     "StabilityMap": "maps",
     "StepResponse": "response",
-    "TireData": "tire_fit",
+    "TireData": "tire_data",
     "Trajectory": "simulation",
     "Trim": "trimming",
     "animate": "runway",

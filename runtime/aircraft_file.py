@@ -255,7 +255,8 @@ def _tire(
         wanted = f"a CSV file beside {path.name}, or a packaged one: {', '.join(tables)}"
         mistakes.append(entry.mistake(repr(value), wanted))
         return {}
-    from .tire_fit import TireData, fit_tire
+    from .tire_data import TireData
+    from .tire_fit import fit_tire
 
     try:
         fit = fit_tire(TireData.load(table))

@@ -24,7 +24,8 @@ from groundloop.evaluate import elementwise
 from groundloop.generated.names import DIGEST
 from groundloop.study import cases, figures, ledger, output, report, sources
 from groundloop.study.cases import case
-from groundloop.tire_fit import TireData, compare, force_rms, normalised_rms
+from groundloop.tire_data import TireData
+from groundloop.tire_quality import compare, force_rms, normalised_rms
 
 FIGURES = [f"3.{k}" for k in range(3, 9)] + [f"4.{k}" for k in range(5, 43)]
 TABLES = ["3.2", *(f"4.{k}" for k in range(1, 12))]

@@ -20,16 +20,9 @@ from scipy.optimize import approx_fprime, least_squares
 
 import groundloop as gl
 from groundloop.evaluate import elementwise
-from groundloop.tire_fit import (
-    MAGIC,
-    THESIS_START,
-    TireData,
-    compare,
-    conditioning,
-    fit_tire,
-    force_rms,
-    normalised_rms,
-)
+from groundloop.tire_data import TireData
+from groundloop.tire_fit import THESIS_START, fit_tire
+from groundloop.tire_quality import MAGIC, compare, conditioning, force_rms, normalised_rms
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 

@@ -12,7 +12,8 @@ from groundloop.aircraft import Aircraft
 from groundloop.linearization import Linearization, linearize
 from groundloop.metrics import Metrics
 from groundloop.simulation import Trajectory, simulate
-from groundloop.tire_fit import TireData, TireFit, fit_tire
+from groundloop.tire_data import TireData
+from groundloop.tire_fit import TireFit, fit_tire
 
 from .sources import Trial, setup, trials
 

@@ -1,0 +1,221 @@
+"""Measured lateral forces of a tire, as in Table 3.1."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from .arrays import FloatArray, finite
+from .errors import GroundloopError, unknown
+from .evaluate import elementwise
+
+_SECANT = np.radians(1.0)  # where Eq. 3.2 takes the cornering coefficient
+_FEWEST_ANGLES, _FEWEST_LOADS = 5, 2
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TireData:
+    """Measured lateral forces of one tire.
+
+    Attributes
+    ----------
+    name : str
+        Which tire.
+    slip_angles : ndarray, shape (n,)
+        rad, increasing, below 90 deg; one of them is 1 deg.
+    loads : ndarray, shape (k,)
+        Vertical loads, N, increasing.
+    forces : ndarray, shape (n, k)
+        N, positive for a positive slip angle as in the thesis.
+    """
+
+    name: str
+    slip_angles: FloatArray
+    loads: FloatArray
+    forces: FloatArray
+
+    def __post_init__(self) -> None:
+        for field in ("slip_angles", "loads", "forces"):
+            array = finite(f"{field} of tire data {self.name!r}", getattr(self, field)).copy()
+            array.setflags(write=False)
+            object.__setattr__(self, field, array)
+        mistakes = _shape_mistakes(self) or _content_mistakes(self)
+        if mistakes:
+            raise _listed(f"tire data {self.name!r}", mistakes)
+
+    @classmethod
+    def load(cls, name: str | Path) -> TireData:
+        """Read packaged tire data by name, or a CSV file by path.
+
+        Parameters
+        ----------
+        name : str or Path
+            ``"goodyear-6.00-6"`` (Table 3.1 of the thesis), or the path of a ``.csv`` file:
+            comment lines begin with ``#``, the header is ``slip_angle_deg`` and the loads in N,
+            each row is a slip angle in degrees and the forces in N.
+
+        Raises
+        ------
+        GroundloopError
+            If there is no such data or file, or if the file has mistakes: all of them are
+            listed, each with its line.
+        """
+        path = Path(name)
+        if path.suffix != ".csv":
+            packaged = _packaged()
+            if str(name) not in packaged:
+                where = "the packaged ones (a file ends in .csv)"
+                raise unknown("tire data", str(name), packaged, where)
+            path = packaged[str(name)]
+        try:
+            text = path.read_text(encoding="utf-8")
+        except OSError as problem:
+            raise GroundloopError(f"cannot read {path}: {problem.strerror}") from problem
+        except UnicodeDecodeError as problem:
+            raise GroundloopError(f"{path} is not a text file: {problem}") from problem
+        table = _table(text, path)
+        try:
+            return cls(path.stem, np.radians(table[1:, 0]), table[0, 1:], table[1:, 1:])
+        except GroundloopError as problem:
+            raise GroundloopError(f"{path}: {problem}") from None
+
+    def coefficients(self) -> tuple[FloatArray, FloatArray]:
+        """Cornering and friction coefficient at each load (Eqs. 3.2, 3.4).
+
+        Returns
+        -------
+        C_c : ndarray, shape (k,)
+            Secant at 1 deg over the load, 1/rad.
+        mu : ndarray, shape (k,)
+            Largest measured force over the load.
+        """
+        secant = int(_secant_rows(self)[0])
+        arguments = {
+            "alpha": np.asarray(self.slip_angles[secant]),
+            "F_y": self.forces[secant],
+            "F_peak": self.forces.max(axis=0),
+            "Fz": self.loads,
+        }
+        found = elementwise("measured_coefficients", arguments)
+        return found["C_c"], found["mu"]
+
+    def normalised(self) -> tuple[FloatArray, FloatArray]:
+        """Normalised slip angles and forces (Eqs. 3.6, 3.7), shape (n, k) each.
+
+        Each load is normalised with its own measured coefficients, not with the straight lines.
+        """
+        C_c, mu = self.coefficients()
+        arguments = {
+            "alpha": self.slip_angles[:, None],
+            "F_y": self.forces,
+            "Fz": self.loads,
+            "C_c": C_c,
+            "mu": mu,
+        }
+        found = elementwise("normalised_data", arguments)
+        return found["alpha_bar"], found["F_bar"]
+
+    def __repr__(self) -> str:
+        angles, loads = np.degrees(self.slip_angles), self.loads
+        return (
+            f"TireData {self.name!r}: {angles.size} slip angles {angles[0]:g} to {angles[-1]:g}"
+            f" deg, {loads.size} loads {loads[0]:g} to {loads[-1]:g} N"
+        )
+
+
+def _packaged() -> dict[str, Path]:
+    folder = resources.files("groundloop") / "fleet"
+    files = sorted(Path(str(p)) for p in folder.iterdir() if p.name.endswith(".csv"))
+    return {p.stem: p for p in files}
+
+
+def _listed(what: str, mistakes: Sequence[str]) -> GroundloopError:
+    return GroundloopError("\n".join([f"{what} has {len(mistakes)} mistake(s):", *mistakes]))
+
+
+def _table(text: str, path: Path) -> FloatArray:
+    """The numbers of a CSV file, its header as the first row with NaN in the corner."""
+    lines = [
+        (number, [cell.strip() for cell in line.split(",")])
+        for number, line in enumerate(text.splitlines(), start=1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if len(lines) < 2:
+        raise GroundloopError(f"{path} has no data: a header and rows of numbers are needed")
+    (number, header), body = lines[0], lines[1:]
+    mistakes = []
+    if header[0] != "slip_angle_deg":
+        mistakes.append(
+            f"line {number}: the header must be slip_angle_deg and the loads in N,"
+            f" but begins with {header[0]!r}"
+        )
+    table = [[float("nan"), *_numbers(header[1:], number, 2, mistakes)]]
+    for number, cells in body:
+        if len(cells) != len(header):
+            mistakes.append(
+                f"line {number}: {len(cells)} columns, but the header has {len(header)}"
+            )
+        table.append(_numbers(cells, number, 1, mistakes))
+    if mistakes:
+        raise _listed(str(path), mistakes)
+    return np.array(table)
+
+
+def _numbers(cells: Sequence[str], line: int, first: int, mistakes: list[str]) -> list[float]:
+    """Finite numbers of a line; for each cell that is none, a mistake."""
+    values = []
+    for column, cell in enumerate(cells, start=first):
+        try:
+            value = float(cell)
+        except ValueError:
+            value = float("nan")
+        if not np.isfinite(value):
+            mistakes.append(f"line {line}, column {column}: {cell!r} is not a finite number")
+        values.append(value)
+    return values
+
+
+def _shape_mistakes(data: TireData) -> list[str]:
+    expected = (data.slip_angles.size, data.loads.size)
+    if data.slip_angles.ndim != 1 or data.loads.ndim != 1 or data.forces.shape != expected:
+        return [
+            f"forces must be slip angles by loads, but shapes are {data.slip_angles.shape},"
+            f" {data.loads.shape} and {data.forces.shape}"
+        ]
+    mistakes = []
+    if data.slip_angles.size < _FEWEST_ANGLES:
+        given = data.slip_angles.size
+        mistakes.append(f"at least {_FEWEST_ANGLES} slip angles are needed, not {given}")
+    if data.loads.size < _FEWEST_LOADS:
+        given = data.loads.size
+        mistakes.append(f"at least {_FEWEST_LOADS} loads are needed for a line, not {given}")
+    return mistakes
+
+
+def _content_mistakes(data: TireData) -> list[str]:
+    mistakes = []
+    degrees = np.degrees(data.slip_angles)
+    for what, values, unit in (("slip angles", degrees, "deg"), ("loads", data.loads, "N")):
+        for k in np.flatnonzero(np.diff(values) <= 0):
+            pair = f"{values[k + 1]:g} {unit} follows {values[k]:g} {unit}"
+            mistakes.append(f"{what} must increase, but {pair}")
+    if degrees[0] < 0 or degrees[-1] >= 90:
+        mistakes.append("slip angles must be from 0 to below 90 deg")
+    if data.loads[0] <= 0:
+        mistakes.append(f"loads must be positive, but there is {data.loads[0]:g} N")
+    rows = _secant_rows(data)
+    if rows.size == 0:
+        mistakes.append("no slip angle is 1 deg, where Eq. 3.2 takes the cornering coefficient")
+    elif (data.forces[rows] <= 0).any():
+        mistakes.append("forces at 1 deg must be positive (forces and slip angles have one sign)")
+    return mistakes
+
+
+def _secant_rows(data: TireData) -> npt.NDArray[np.intp]:
+    """Where the slip angle is 1 deg."""
+    return np.flatnonzero(np.isclose(data.slip_angles, _SECANT, rtol=1e-9, atol=0.0))
