@@ -15,7 +15,11 @@ from .evaluate import columns, elementwise
 from .names import signature
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import control
+    import pandas
+    import xarray
 
     from .sensitivities import Sensitivities
 
@@ -128,6 +132,29 @@ class Linearization:
         return control.StateSpace(
             self.A, self.B, self.C, self.D, **{kind: list(each) for kind, each in names.items()}
         )
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Matrices and modes as a Dataset; see `groundloop.tables.linearization_to_xarray`."""
+        from .tables import linearization_to_xarray
+
+        return linearization_to_xarray(self)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Modes as a DataFrame; see `groundloop.tables.linearization_to_pandas`."""
+        from .tables import linearization_to_pandas
+
+        return linearization_to_pandas(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write to an npz file; `groundloop.records.load_linearization` reads it."""
+        from .records import save_linearization
+
+        return save_linearization(self, path)
+
+    def _repr_html_(self) -> str:
+        from .tables import linearization_to_html
+
+        return linearization_to_html(self)
 
     def __repr__(self) -> str:
         head = f"Linearization of {self.aircraft.name!r}, {self.tire} tire, at {self.at}"

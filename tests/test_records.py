@@ -51,7 +51,7 @@ def test_a_run_comes_back_as_it_was(many: gl.Trajectory, tmp_path: Path) -> None
 
 def test_a_linearization_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path) -> None:
     lin = gl.linearize(plane.replace(a=np.array([0.2, 0.6])), at=gl.OperatingPoint(v=0.3))
-    back = records.load_linearization(records.save_linearization(lin, tmp_path / "lin.npz"))
+    back = records.load_linearization(lin.save(tmp_path / "lin.npz"))
     assert np.array_equal(back.A, lin.A)
     assert np.array_equal(back.eigenvalues, lin.eigenvalues)
     assert back.outputs == lin.outputs
@@ -151,14 +151,14 @@ def test_a_run_in_pandas(run: gl.Trajectory, many: gl.Trajectory) -> None:
 
 def test_a_linearization_in_tables(plane: gl.Aircraft) -> None:
     lin = gl.linearize(plane.replace(a=np.array([0.2, 0.6])))
-    data = tables.linearization_to_xarray(lin)
+    data = lin.to_xarray()
     assert data["A"].sel(state_rate="r", state="v").values == pytest.approx(lin.A[:, 1, 0], abs=0)
     assert data["eigenvalues"].dims == ("run", "mode")
     assert data["a"].values.tolist() == [0.2, 0.6]
-    frame = tables.linearization_to_pandas(lin)
+    frame = lin.to_pandas()
     assert frame["a"].tolist() == [0.2, 0.6]
     assert np.array_equal(frame["eigenvalue_1"], lin.eigenvalues[:, 0])
-    single = tables.linearization_to_pandas(gl.linearize(plane))
+    single = gl.linearize(plane).to_pandas()
     assert len(single) == 1
     assert single["decay_rate"][0] == gl.linearize(plane).decay_rate
 
@@ -185,7 +185,7 @@ def test_notebooks_show_a_table(run: gl.Trajectory, many: gl.Trajectory) -> None
     assert "lateral velocity (v)" in html
     assert "<script" not in many._repr_html_()
     lin = gl.linearize(run.aircraft)
-    assert "decay rate" in tables.linearization_to_html(lin)
+    assert "decay rate" in lin._repr_html_()
     assert "3 of them" in tables.linearization_to_html(
         gl.linearize(run.aircraft.replace(a=np.array([0.1, 0.2, 0.3])))
     )
