@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import loads, placement, tire
+from . import kick, loads, placement, tire
 from .casadi_source import Argument, FunctionSpec, Result, cancel_tangents
 from .components import alpha
 from .equation import Chain, needed
@@ -38,6 +38,7 @@ def modules() -> tuple[Module, ...]:
         _tire_module(),
         _stability_module(),
         _placement_module(),
+        _kick_module(),
     )
 
 
@@ -183,6 +184,13 @@ def _placement_module() -> Module:
             ),
         ),
     )
+
+
+def _kick_module() -> Module:
+    arguments, results = (kick.S, kick.x_S, *kick.INERTIA), (kick.dv, kick.dr)
+    summary = "Changes of the motion by a side impulse at a station."
+    function = scalar_function("kick", summary, arguments, results, kick.kick())
+    return Module("kick", "A kick: what an impulse changes at once.", (function,))
 
 
 #: Every quantity that appears anywhere, by symbol, for the table that the runtime reads.

@@ -9,11 +9,14 @@ import sympy as sp
 from . import placement
 from .catalogue import Module
 from .equation import Chain
+from .kick import kick
 from .kinematics import path_rates
 from .loads import static_loads
 from .model import Model
 from .quantities import Quantity
 from .stability_sections import stability_sections
+
+_KICK = "A side impulse changes the motion before any tire can answer."
 
 
 def equation_sheet(derived: Sequence[Module]) -> str:
@@ -32,6 +35,7 @@ def equation_sheet(derived: Sequence[Module]) -> str:
     for model in models:
         lines += _model_section(model)
     lines += _section("Loads and stiffnesses", static_loads())
+    lines += _section("A kick", kick(), _KICK)
     for title, chain, text in (*stability_sections(models), *placement.sections()):
         lines += _section(title, chain, text)
     return "\n".join([*lines, *_symbol_table(models)])

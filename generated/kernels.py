@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 09de3cf05c201aba) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Kernels for many aircraft at once: compiled on first use, called with NumPy arrays.
 
 They are compiled for the processor at hand, so AVX2 or AVX-512 is used where it is there, and
@@ -138,7 +138,10 @@ def can_compile(kernel: str) -> bool:
     try:
         _load(kernel, f"-DLANES={_WIDE}")
     except NoCompilerError as problem:
-        say_once(f"{problem}; ensembles run in CasADi's virtual machine, hundreds of times slower")
+        say_once(
+            "kernels",
+            f"{problem}; ensembles run in CasADi's virtual machine, hundreds of times slower",
+        )
         return False
     return True
 

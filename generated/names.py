@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 09de3cf05c201aba) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "09de3cf05c201aba"
+DIGEST = "b105a0664991d99c"
 
 QUANTITIES = {
     q.symbol: q
@@ -173,6 +173,10 @@ QUANTITIES = {
         Quantity("nose_over", "nose_over_angle", "rad", "from the vertical below the CG forward to the main wheels", "\\nu", ""),
         Quantity("tip_back", "tip_back_angle", "rad", "from the vertical below the CG back to the main wheels", "\\epsilon", ""),
         Quantity("span", "wheel_span", "m", "main gear to tail wheel or nose wheel", "l", ""),
+        Quantity("S", "impulse", "N s", "side impulse, to the right", "S", ""),
+        Quantity("x_S", "impulse_station", "m", "where it acts, ahead of the CG", "x_S", ""),
+        Quantity("dv", "lateral_velocity_change", "m/s", "what it adds to v", "\\Delta v", ""),
+        Quantity("dr", "yaw_rate_change", "rad/s", "what it adds to r", "\\Delta r", ""),
     )
 }
 
@@ -239,6 +243,7 @@ FUNCTIONS = {
     "placement_tire": ("placement", "placement_tire", "placement"),
     "placement_margins": ("placement", "placement_margins", "placement"),
     "placement_limits": ("placement", "placement_limits", "placement"),
+    "kick": ("kick", "kick", "kick"),
 }
 
 #: Name of a kernel and of its C file -> what it carries.

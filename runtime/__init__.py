@@ -16,11 +16,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from . import gusts
     from .aircraft import Aircraft
+    from .basins import Basin, basin
     from .checking import Check, check
     from .ensemble_result import Ensemble
     from .ensembles import ensemble
     from .errors import GroundloopError
     from .integration import integrator
+    from .kicks import Survival, survival
     from .linearization import Linearization, OperatingPoint, linearize
     from .maps import StabilityMap, stability_map
     from .metrics import Metrics
@@ -55,6 +57,7 @@ if TYPE_CHECKING:
 #: Public name -> module; imported on first use, so that `import groundloop` is cheap.
 _HOME = {
     "Aircraft": "aircraft",
+    "Basin": "basins",
     "Check": "checking",
     "Ensemble": "ensemble_result",
     "Envelope": "placement",
@@ -74,10 +77,12 @@ _HOME = {
     "SpeedWindow": "stability",
     "StabilityMap": "maps",
     "StepResponse": "response",
+    "Survival": "kicks",
     "TireData": "tire_data",
     "Trajectory": "simulation",
     "Trim": "trimming",
     "animate": "runway",
+    "basin": "basins",
     "check": "checking",
     "ensemble": "ensembles",
     "fit_tire": "tire_fit",
@@ -96,6 +101,7 @@ _HOME = {
     "speed_window": "stability",
     "stability_map": "maps",
     "step_response": "response",
+    "survival": "kicks",
     "trim": "trimming",
 }
 
@@ -104,6 +110,7 @@ _MODULES = ("gusts",)
 
 __all__ = [
     "Aircraft",
+    "Basin",
     "Check",
     "Ensemble",
     "Envelope",
@@ -123,10 +130,12 @@ __all__ = [
     "SpeedWindow",
     "StabilityMap",
     "StepResponse",
+    "Survival",
     "TireData",
     "Trajectory",
     "Trim",
     "animate",
+    "basin",
     "check",
     "ensemble",
     "fit_tire",
@@ -146,6 +155,7 @@ __all__ = [
     "speed_window",
     "stability_map",
     "step_response",
+    "survival",
     "trim",
 ]
 

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 09de3cf05c201aba) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* Many trajectories side by side: DOP853, every lane with its own time, step and tolerance.
  *
  * A block holds LANES trajectories as structure of arrays; every loop over lanes is a vector
@@ -99,6 +99,7 @@ static const double TRUST = 1.0;           /* estimated global error / tol that 
 static const double REACH = 7.6, HOLD = 0.97;  /* see cap() */
 static const double GUARD = 0.09;          /* see measure() */
 static const double BETWEEN = 0.003;       /* see measure_between() */
+static const double REST = 1e-9;           /* scales per t_end: slower than that is at rest */
 
 typedef struct {
     int64_t n, max_steps, threads, n_times;
@@ -640,12 +641,14 @@ static void measure(block_t *b, double tol, int between)
  * equation: a local error made at s has grown by about |f(t)| / |f(s)| at t, and has moved a
  * quadrature by f(t) - f(s) in the same proportion.  So the sum of the local errors over |f|, a
  * shift in time, times |f| now follows the error at no cost.  It is large where a trajectory comes
- * to rest near a saddle and leaves it again, where a local tolerance would be silently wrong. */
-static void follow_error(block_t *b)
+ * to rest near a saddle and leaves it again, where a local tolerance would be silently wrong.  At
+ * rest for good |f| fades to nothing, and rounding errors over it mean nothing either. */
+static void follow_error(block_t *b, double t_end)
 {
+    const double rest = REST / t_end;
     LANE_LOOP {
         const double e = b->error[l] <= b->tau[l] ? b->local[l] : 0.0;
-        b->shift[l] = e / larger(b->head[l], DBL_MIN);
+        b->shift[l] = e / larger(b->head[l], rest);
         b->drift[l] += b->shift[l];
         b->estimate[l] = larger(b->estimate[l], e > 0.0 ? b->drift[l] * b->tail[l] : 0.0);
     }
@@ -1019,7 +1022,7 @@ static void work(const job_t *job, int64_t *shared)
             if (job->largest)
                 watch(&b, job);
         }
-        follow_error(&b);
+        follow_error(&b, job->t_end);
         if (!advance(&b, job->t_end, (double)job->max_steps))
             continue;
         for (int l = 0; l < LANES; ++l) {

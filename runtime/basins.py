@@ -1,0 +1,214 @@
+"""Basins of attraction: from which starts, and after which kicks, an aircraft straightens out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .aircraft import Aircraft, parameter_symbols
+from .arrays import FloatArray, finite
+from .errors import GroundloopError, unknown
+from .fates import FATES, ByteArray, Criterion, fates
+from .generated.names import QUANTITIES
+from .kicks import check_tire, kick
+from .names import symbol
+from .plots import INK, style
+from .units import from_si
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+#: What an axis may be beside a parameter -> the quantity.
+_STARTS = {"v0": "v", "r0": "r", "impulse": "S"}
+#: One colour for each fate, from light to dark in grey print too.
+_SHADES = ("#E8F1F7", "#D55E00", "#56A0CF", "#F0C987", "#444444")
+_SHOWN = {"rad/s": "deg/s", "rad": "deg"}
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Basin:
+    """What becomes of an aircraft over two axes.
+
+    Attributes
+    ----------
+    x_name, y_name : str
+        ``v0``, ``r0``, ``impulse`` or the symbol of a parameter.
+    x, y : ndarray, shapes (nx,), (ny,)
+        Their values, SI units with radians.
+    fate : ndarray of int8, shape (ny, nx)
+        An index of `groundloop.Survival.FATES`.
+    when : ndarray, shape (ny, nx)
+        When the aircraft has straightened out, s; NaN where it does not.
+    aircraft : Aircraft
+    station : float
+        Where an impulse acts, m ahead of the CG.
+    criterion : Criterion
+        What counts as surviving.
+    """
+
+    x_name: str
+    y_name: str
+    x: FloatArray
+    y: FloatArray
+    fate: ByteArray
+    when: FloatArray
+    aircraft: Aircraft
+    station: float
+    criterion: Criterion
+
+    @property
+    def share(self) -> float:
+        """Share of the points that straighten out."""
+        return float(np.mean(self.fate == 0))
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the fates, light where the aircraft straightens out.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where; a new figure if omitted.
+        """
+        from matplotlib import pyplot
+        from matplotlib.colors import ListedColormap
+        from matplotlib.patches import Patch
+
+        with style():
+            if ax is None:
+                _, ax = pyplot.subplots(figsize=(5.2, 4.2))
+            x, y = (_shown(n, v) for n, v in ((self.x_name, self.x), (self.y_name, self.y)))
+            ax.pcolormesh(
+                x,
+                y,
+                self.fate,
+                cmap=ListedColormap(_SHADES),
+                vmin=-0.5,
+                vmax=len(FATES) - 0.5,
+                rasterized=True,
+            )
+            present = np.unique(self.fate).tolist()
+            if 0 < self.share < 1:
+                ax.contour(x, y, (self.fate == 0) * 1.0, levels=[0.5], colors=INK, linewidths=0.9)
+            patches = [Patch(facecolor=_SHADES[k], edgecolor=INK, linewidth=0.5) for k in present]
+            names = [FATES[k] for k in present]
+            corner: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
+            ax.legend(patches, names, ncols=2, borderaxespad=0.3, **corner)
+            ax.set_xlabel(_label(self.x_name))
+            ax.set_ylabel(_label(self.y_name))
+            ax.grid(False)
+        return ax
+
+    def __repr__(self) -> str:
+        counts = np.bincount(self.fate.reshape(-1), minlength=len(FATES)).tolist()
+        what = ", ".join(f"{n} {name}" for name, n in zip(FATES, counts, strict=True) if n)
+        return (
+            f"Basin of {self.aircraft.name!r}: {self.x_name} {self.x[0]:g} to {self.x[-1]:g} x"
+            f" {self.y_name} {self.y[0]:g} to {self.y[-1]:g}: {what}"
+        )
+
+
+def basin(
+    plane: Aircraft,
+    x: tuple[str, Any],
+    y: tuple[str, Any],
+    *,
+    station: float = 0.0,
+    half_width: float = Criterion.half_width,
+    heading: float = Criterion.heading,
+    settled: float = Criterion.settled,
+    t: float = Criterion.t,
+    threads: int | None = None,
+    executor: Executor | None = None,
+) -> Basin:
+    """From which starts an aircraft straightens out, hands off, with the non-linear tire.
+
+    Parameters
+    ----------
+    plane : Aircraft
+        The aircraft, with a tire that is right at large slip angles (``brott-physical``); none of
+        its parameters may be an array.
+    x, y : tuple of str and array
+        ``"v0"`` (m/s), ``"r0"`` (rad/s), ``"impulse"`` (N s) or a parameter (``"speed"``), and
+        increasing values in SI units.
+    station : float
+        Where an impulse acts, m ahead of the CG.
+    half_width, heading, settled, t : float
+        See `groundloop.survival`.
+    threads, executor
+        As for `groundloop.ensemble`.
+
+    Returns
+    -------
+    Basin
+        Fates and a picture of them.
+
+    Raises
+    ------
+    GroundloopError
+        For unknown names, values that do not increase, or a tire that is wrong at large slip.
+    """
+    criterion = Criterion(half_width, heading, settled, t)
+    axes = dict((_axis("x", x), _axis("y", y)))
+    if len(axes) != 2:
+        raise GroundloopError("x and y are the same; a basin needs two axes")
+    if arrays := [s for s, value in plane.given.items() if value.ndim]:
+        raise GroundloopError(
+            f"a basin is of one aircraft, but {', '.join(arrays)} of {plane.name} are arrays"
+        )
+    (x_name, x_values), (y_name, y_values) = axes.items()
+    grid = {x_name: x_values[None, :], y_name: y_values[:, None]}
+    varied = {name: value for name, value in grid.items() if name not in _STARTS}
+    aircraft = plane.replace(**varied)
+    check_tire(aircraft)
+    v, r = _start(grid, aircraft, station)
+    shape = (y_values.size, x_values.size)
+    options = {"threads": threads, "executor": executor}
+    fate, when = fates(
+        aircraft, np.broadcast_to(v, shape), np.broadcast_to(r, shape), criterion, **options
+    )
+    return Basin(x_name, y_name, x_values, y_values, fate, when, plane, float(station), criterion)
+
+
+def _start(
+    grid: Mapping[str, FloatArray], plane: Aircraft, station: float
+) -> tuple[FloatArray, FloatArray]:
+    """v and r: those of the grid, and what an impulse adds."""
+    zero = np.zeros(())
+    v, r = grid.get("v0", zero), grid.get("r0", zero)
+    if "impulse" not in grid:
+        return v, r
+    dv, dr = kick(finite("station", station), grid["impulse"], plane)
+    return v + dv, r + dr
+
+
+def _axis(which: str, axis: tuple[str, Any]) -> tuple[str, FloatArray]:
+    try:
+        name, given = axis
+    except (TypeError, ValueError):
+        raise GroundloopError(f"{which} must be a pair (name, values), not {axis!r}") from None
+    key = str(name)
+    if key not in _STARTS:
+        try:
+            key = symbol(key, "parameter", parameter_symbols())
+        except GroundloopError:
+            known = [QUANTITIES[s].name for s in parameter_symbols()]
+            raise unknown("axis", key, [*_STARTS, *known, *parameter_symbols()]) from None
+    values = finite(f"{which} ({key})", given)
+    if values.ndim != 1 or values.size < 2 or (np.diff(values) <= 0).any():
+        raise GroundloopError(f"{which} ({key}) must be a list of two or more increasing values")
+    return key, values
+
+
+def _shown(name: str, values: FloatArray) -> FloatArray:
+    unit = QUANTITIES[_STARTS.get(name, name)].unit
+    return values * from_si(1.0, unit, _SHOWN[unit]) if unit in _SHOWN else values
+
+
+def _label(name: str) -> str:
+    q = QUANTITIES[_STARTS.get(name, name)]
+    words = {"v0": "initial ", "r0": "initial "}.get(name, "") + q.name.replace("_", " ")
+    return f"{words} ${q.latex}$ ({_SHOWN.get(q.unit, q.unit)})"
