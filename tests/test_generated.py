@@ -428,7 +428,6 @@ def test_a_compiler_that_does_not_work_is_done_without(
     assert f"{broken} failed: no licence" in warned[0]
 
 
-@pytest.mark.xfail(strict=True, reason="the message names the file, so each is said once")
 def test_a_compiler_that_fails_on_every_file_is_complained_about_once(
     filled: tuple[Path, list[str]], tmp_path: Path
 ):
@@ -439,7 +438,6 @@ def test_a_compiler_that_fails_on_every_file_is_complained_about_once(
     assert len(warned) == 1
 
 
-@pytest.mark.xfail(strict=True, reason="OSError of subprocess is not caught")
 def test_a_compiler_that_cannot_be_run_is_done_without(
     filled: tuple[Path, list[str]], tmp_path: Path
 ):

@@ -137,7 +137,10 @@ def can_compile(kernel: str) -> bool:
     try:
         _load(kernel, f"-DLANES={_WIDE}")
     except NoCompilerError as problem:
-        say_once(f"{problem}; ensembles run in CasADi's virtual machine, hundreds of times slower")
+        say_once(
+            "kernels",
+            f"{problem}; ensembles run in CasADi's virtual machine, hundreds of times slower",
+        )
         return False
     return True
 

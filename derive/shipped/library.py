@@ -11,10 +11,12 @@ import difflib
 import hashlib
 import importlib
 import os
+import shlex
 import shutil
 import subprocess
 import tempfile
 import warnings
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
@@ -55,7 +57,9 @@ def load(name: str) -> ca.Function:
     try:
         return ca.external(name, str(compiled(source)))
     except NoCompilerError as problem:
-        say_once(f"{problem}; using CasADi's virtual machine, which is several times slower")
+        say_once(
+            "compiler", f"{problem}; using CasADi's virtual machine, which is several times slower"
+        )
         return build(name)
 
 
@@ -83,7 +87,9 @@ def compiled(source: Path, flags: tuple[str, ...] = FLAGS) -> Path:
     if DIGEST.encode() not in text[:400]:
         raise StaleError(f"{source} was not generated with this package; run `make derive`")
     compiler, target = _compiler(flags)
-    key = hashlib.sha256(b"\0".join([text, " ".join(flags).encode(), target])).hexdigest()[:20]
+    key = hashlib.sha256(b"\0".join([text, " ".join(flags).encode(), target.encode()])).hexdigest()[
+        :20
+    ]
     library = _cache_folder() / f"{source.stem}-{key}.so"
     if not library.exists():
         _compile(compiler, flags, source, library)
@@ -101,27 +107,32 @@ def _entry(name: str) -> tuple[str, str, str]:
 
 
 @cache
-def _compiler(flags: tuple[str, ...]) -> tuple[str, bytes]:
-    """Path of the C compiler, and its version and target processor as it describes them."""
-    wanted = os.environ.get("CC", "cc")
-    path = shutil.which(wanted) or shutil.which("gcc")
+def _compiler(flags: tuple[str, ...]) -> tuple[tuple[str, ...], str]:
+    """Command of the C compiler, and its version and target processor as it describes them."""
+    program, *options = shlex.split(os.environ.get("CC") or "cc")
+    path = shutil.which(program)
     if path is None:
-        raise NoCompilerError(f"no C compiler ({wanted} is not on the PATH; set CC)")
-    probe = [path, *flags, "-dM", "-E", "-x", "c", os.devnull]
-    macros = subprocess.run(probe, capture_output=True, check=False)
-    if macros.returncode != 0:
-        raise NoCompilerError(f"{path} failed: {macros.stderr.decode(errors='replace').strip()}")
-    return path, macros.stdout
+        raise NoCompilerError(f"no C compiler ({program} is not on the PATH; set CC)")
+    command = (path, *options)
+    return command, _run([*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
 
 
-def _compile(compiler: str, flags: tuple[str, ...], source: Path, library: Path) -> None:
+def _run(command: Sequence[str]) -> str:
+    """What a command prints; `NoCompilerError` if it fails."""
+    try:
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+    except OSError as problem:
+        raise NoCompilerError(f"{command[0]} cannot be run: {problem.strerror}") from problem
+    if result.returncode != 0:
+        raise NoCompilerError(f"{command[0]} failed: {result.stderr.strip()}")
+    return result.stdout
+
+
+def _compile(compiler: Sequence[str], flags: tuple[str, ...], source: Path, library: Path) -> None:
     """Compile beside the target and move into place, so that nobody sees half a library."""
     with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:
         product = Path(folder) / library.name
-        command = [compiler, *flags, str(source), "-o", str(product), "-lm"]
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-        if result.returncode != 0:
-            raise NoCompilerError(f"{' '.join(command)} failed: {result.stderr.strip()}")
+        _run([*compiler, *flags, str(source), "-o", str(product), "-lm"])
         seal = _seal(product)
         seal.write_text(hashlib.sha256(product.read_bytes()).hexdigest())
         os.replace(seal, _seal(library))
@@ -152,13 +163,18 @@ def _cache_folder() -> Path:
         temporary = tempfile.mkdtemp(prefix="groundloop-")
         atexit.register(shutil.rmtree, temporary, ignore_errors=True)
         say_once(
+            "cache",
             f"cannot write to the cache folder {folder} ({problem.strerror}); compiling for this"
-            " process only. Set GROUNDLOOP_CACHE to a folder that can be written"
+            " process only. Set GROUNDLOOP_CACHE to a folder that can be written",
         )
         return Path(temporary)
 
 
-@cache
-def say_once(message: str) -> None:
-    """Warn, but of the same thing only once."""
-    warnings.warn(message, RuntimeWarning, stacklevel=4)
+def say_once(topic: str, message: str) -> None:
+    """Warn, but of each topic only once."""
+    if topic not in _SAID:
+        _SAID.add(topic)
+        warnings.warn(message, RuntimeWarning, stacklevel=4)
+
+
+_SAID: set[str] = set()
