@@ -23,6 +23,7 @@ import groundloop as gl
 from groundloop.evaluate import elementwise
 from groundloop.placement import SOURCES
 from groundloop.placement.search import least
+from groundloop.placement.worked import WorkedStudy, worked_study
 
 mpl.use("Agg")
 
@@ -657,3 +658,57 @@ def test_bad_fronts_are_named(brott: gl.Aircraft) -> None:
     ):
         with pytest.raises(gl.GroundloopError, match=message):
             found.pareto(against, points)
+
+
+# --- The worked study ---------------------------------------------------------------------------
+def test_the_aircraft_of_a_placement_has_its_tail_wheel(brott: gl.Aircraft) -> None:
+    scale = {"main_gear_station": (-0.2, 0.0), "tail_wheel_scale": (0.5, 1.5)}
+    found = gl.place_gear(brott, ENVELOPE, variables=scale)
+    at = found.worst.corner
+    lin = gl.linearize(found.aircraft.replace(cg_station=at["x_cg"]), "linear", speed=at["u"])
+    assert lin.decay_rate == pytest.approx(found.value, rel=1e-12)
+    assert found.aircraft["Ct"] == pytest.approx(found.design["kappa"] * brott["Ct"])
+
+
+@pytest.fixture(scope="module")
+def study() -> WorkedStudy:
+    return worked_study()
+
+
+def test_the_study_answers_as_the_grid_does(study: WorkedStudy) -> None:
+    for stiffness in ("constant", "following"):
+        found = study.placement("taildragger", stiffness, "stability")
+        options = {"following": stiffness == "following", "tail_load": 0.5}
+        station = best_on_grid(lambda x, o=options: decay(x, **o), FORWARD - 1, FORWARD)
+        assert found.station == pytest.approx(station, abs=1e-4)
+
+
+def test_the_study_tells_what_the_constant_stiffness_hid(study: WorkedStudy) -> None:
+    (textbook,) = (h for h in study.hidden if (h.layout, h.limits) == ("taildragger", "textbook"))
+    actual = decay(textbook.believed.station, following=True, tail_load=0.5)
+    assert textbook.actual.decay_rate.value == pytest.approx(actual, abs=1e-4)
+    assert textbook.believed.value > 2.5 * actual
+    assert textbook.best.value >= textbook.actual.decay_rate.value - 1e-7
+    assert any("leave no place" in finding for finding in study.findings())
+
+
+def test_the_study_has_whole_tables(study: WorkedStudy) -> None:
+    for table in study.tables():
+        assert table.rows
+        assert {len(row) for row in table.rows} == {len(table.header)}
+    assert {e["source"] for e in study.estimates.values()}
+
+
+def test_the_study_draws_its_figures(study: WorkedStudy) -> None:
+    from matplotlib import pyplot
+
+    figures = study.figures()
+    assert set(figures) == {
+        "placement-models",
+        "placement-pareto",
+        "placement-taildragger",
+        "placement-tricycle",
+    }
+    for figure in figures.values():
+        assert all(ax.get_xlabel() and ax.get_ylabel() for ax in figure.axes)
+        pyplot.close(figure)

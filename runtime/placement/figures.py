@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 #: Objective -> what is drawn over the station, and its label.
 _DRAWN = {"damping_ratio": ("damping_ratio", "damping ratio ζ")}
 _DECAY = ("decay_rate", "decay rate −max Re λ (1/s)")
-_STATIONS = 121
-_DENSE = 1000
+_STATIONS = 91
+_DENSE = 2200
 #: Corners nearer than this share of an axis look the same.
 _NEIGHBOURS = 0.1
 #: More corners than this make a thicket.
@@ -135,14 +135,17 @@ def _shade_forbidden(ax: Axes, found: Placement, stations: FloatArray) -> None:
         room = b.sign * (values[b.kind.symbol] - b.value)
         broken = np.atleast_1d((room < -1e-9).any(axis=0))
         forbidden |= broken
+        least_room = np.atleast_1d(room.min(axis=0))
         for k in np.flatnonzero(np.diff(broken.astype(int))):
             right = broken[k + 1]
+            here, there = least_room[k], least_room[k + 1]
+            edge_at = mm[k] + (mm[k + 1] - mm[k]) * here / (here - there)
             words = (
                 f"{b.limit.replace('_', ' ')} {'≥' if b.sign > 0 else '≤'} {show(b.value, b.kind)}"
             )
-            ax.axvline(mm[k], color=MUTED, lw=0.8)
+            ax.axvline(edge_at, color=MUTED, lw=0.8)
             ax.text(
-                mm[k] + (3 if right else -3),
+                edge_at + (3 if right else -3),
                 edge[0] + 0.03 * (edge[1] - edge[0]),
                 words,
                 rotation=90,
