@@ -16,6 +16,12 @@ from .newton import sum_M
 from .quantities import Quantity, r, v
 from .scalar_functions import ordered, scalar_function
 
+_MODES = (
+    *(closed.re_1, closed.im_1, closed.re_2, closed.im_2),
+    *(closed.decay_rate, closed.natural_frequency),
+    *(closed.damped_frequency, closed.damping_ratio),
+)
+
 
 def _closed_form(
     name: str, summary: str, results: Sequence[Quantity], chain: Chain
@@ -50,12 +56,14 @@ def _mode_functions() -> tuple[FunctionSpec, ...]:
             "modes",
             "Eigenvalues of a 2 x 2 state matrix and what is read from them.",
             closed.STATE_MATRIX,
-            (
-                *(closed.re_1, closed.im_1, closed.re_2, closed.im_2),
-                *(closed.decay_rate, closed.natural_frequency),
-                *(closed.damped_frequency, closed.damping_ratio),
-            ),
+            _MODES,
             closed.modes(),
+        ),
+        _closed_form(
+            "linear_modes",
+            "Eigenvalues of the linear model, straight from the aircraft's parameters.",
+            _MODES,
+            (*closed.state_matrix(), *closed.modes()),
         ),
         scalar_function(
             "times",

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 843cb7aa8bf8165b) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Kernels for many aircraft at once: compiled on first use, called with NumPy arrays.
 
 They are compiled for the processor at hand, so AVX2 or AVX-512 is used where it is there, and
@@ -9,6 +9,7 @@ fewer of them.
 from __future__ import annotations
 
 import ctypes
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -37,6 +38,8 @@ _FLAGS = (
 )
 #: Trajectories in a block: many, or the one of a `Stepper`.
 _WIDE, _SINGLE = 32, 1
+#: So that closed forms are the same bits as in CasADi's virtual machine.
+_UNCONTRACTED = "-ffp-contract=off"
 #: Attempted steps after which a trajectory is given up.
 _MAX_STEPS = 100_000
 
@@ -48,6 +51,19 @@ STATUS = (
     "unsure",
     "left the range",
 )
+
+
+#: OpenMP's threads do not survive a fork; a child that used them would wait for ever.
+_forked = False
+
+
+def _after_fork() -> None:
+    global _forked
+    _forked = True
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
 
 
 class _Job(ctypes.Structure):
@@ -179,7 +195,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
     job = _Job(
         n=n,
         max_steps=_MAX_STEPS,
-        threads=threads,
+        threads=1 if _forked else threads,
         n_times=moments.size,
         observed=not wanted <= set(states),
         t_end=task.t,
@@ -299,8 +315,23 @@ class Stepper:
         return STATUS[int(self._status[0])]
 
 
+def can_sweep(function: str) -> bool:
+    """Whether a function has a kernel for many points, and that can be compiled here."""
+    if function not in SWEEPS:
+        return False
+    try:
+        _load(SWEEPS[function], _UNCONTRACTED)
+    except NoCompilerError:
+        return False  # said by `library.load`, which takes its place
+    return True
+
+
 def sweep(
-    function: str, arguments: Sequence[FloatArray], results: Sequence[FloatArray], threads: int = 1
+    function: str,
+    count: int,
+    arguments: Sequence[FloatArray],
+    results: Sequence[FloatArray | None],
+    threads: int = 1,
 ) -> None:
     """Apply a function of named scalars to many points, in place.
 
@@ -308,8 +339,11 @@ def sweep(
     ----------
     function : str
         One of `names.SWEEPS`.
-    arguments, results : sequence of ndarray, each of shape (n,)
-        In the order of the function; an argument may be a single number, of shape (1,).
+    count : int
+        Number of points.
+    arguments, results : sequence of ndarray, each of `count` elements
+        In the order of the function. An argument may be a single number, of shape (1,); a result
+        that is None is not kept.
     threads : int
         Does not change a bit of the result.
 
@@ -318,10 +352,11 @@ def sweep(
     NoCompilerError
         If there is no C compiler.
     """
-    kernel = getattr(_load(SWEEPS[function], "-ffp-contract=off"), f"sweep_{function}")
+    kernel = getattr(_load(SWEEPS[function], _UNCONTRACTED), f"sweep_{function}")
     kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
     given, made = _Pointers(arguments), _Pointers(results)
-    kernel(results[0].size, threads, given.address(), given.stride_address(), made.address())
+    threads = 1 if _forked else threads
+    kernel(count, threads, given.address(), given.stride_address(), made.address())
 
 
 @cache

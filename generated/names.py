@@ -1,4 +1,4 @@
-# Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 843cb7aa8bf8165b) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "b105a0664991d99c"
+DIGEST = "843cb7aa8bf8165b"
 
 QUANTITIES = {
     q.symbol: q
@@ -224,6 +224,7 @@ FUNCTIONS = {
     "state_matrix": ("stability", "state_matrix", "stability"),
     "routh_hurwitz": ("stability", "routh_hurwitz", "stability"),
     "modes": ("stability", "modes", "stability"),
+    "linear_modes": ("stability", "linear_modes", "stability"),
     "times": ("stability", "times", "stability"),
     "speed_window": ("stability", "speed_window", "stability"),
     "weakest_speed": ("stability", "weakest_speed", "stability"),
@@ -259,6 +260,7 @@ SWEEPS = {
     "state_matrix": "stability_sweep",
     "routh_hurwitz": "stability_sweep",
     "modes": "stability_sweep",
+    "linear_modes": "stability_sweep",
     "times": "stability_sweep",
     "speed_window": "stability_sweep",
     "weakest_speed": "stability_sweep",

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 843cb7aa8bf8165b) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Closed forms of the linear model (Section 4.7 and what it leaves unsaid)."""
 
 from functools import cache
@@ -160,6 +160,79 @@ def modes() -> ca.Function:
         [A_vv, A_vr, A_rv, A_rr],
         [re_1, im_1, re_2, im_2, decay_rate, natural_frequency, damped_frequency, damping_ratio],
         ["A_vv", "A_vr", "A_rv", "A_rr"],
+        ["re_1", "im_1", "re_2", "im_2", "decay_rate", "natural_frequency", "damped_frequency", "damping_ratio"],
+    )
+
+
+@cache
+def linear_modes() -> ca.Function:
+    """Eigenvalues of the linear model, straight from the aircraft's parameters.
+
+    Inputs
+    ------
+    m : scalar [kg], total mass
+    Izz : scalar [kg m^2], moment of inertia about the z axis
+    a : scalar [m], main gear ahead of the CG (positive: taildragger)
+    b : scalar [m], CG ahead of the vertical tail and the tail wheel
+    u : scalar [m/s], forward speed, constant
+    rho : scalar [kg/m^3], density of the air
+    Ap : scalar [m^2], area of the vertical tail
+    CL_gamma : scalar [1/rad], lift-curve slope of the vertical tail
+    C_alpha : scalar [N/rad], cornering stiffness of one main tire
+    Ct : scalar [N/rad], cornering stiffness of the tail wheel
+
+    Outputs
+    -------
+    re_1 : 1 x 1, real part of the first eigenvalue [1/s]
+    im_1 : 1 x 1, imaginary part of the first eigenvalue [rad/s]
+    re_2 : 1 x 1, real part of the second eigenvalue [1/s]
+    im_2 : 1 x 1, imaginary part of the second eigenvalue [rad/s]
+    decay_rate : 1 x 1, -max Re(eigenvalue): stable if positive [1/s]
+    natural_frequency : 1 x 1, undamped natural frequency [rad/s]
+    damped_frequency : 1 x 1, size of the imaginary part of an eigenvalue [rad/s]
+    damping_ratio : 1 x 1, above 1: two real eigenvalues [1]
+
+    Thesis
+    ------
+    Eq. 4.28, Eq. 4.29, Eq. 4.31
+    """
+    m = ca.SX.sym("m")
+    Izz = ca.SX.sym("Izz")
+    a = ca.SX.sym("a")
+    b = ca.SX.sym("b")
+    u = ca.SX.sym("u")
+    rho = ca.SX.sym("rho")
+    Ap = ca.SX.sym("Ap")
+    CL_gamma = ca.SX.sym("CL_gamma")
+    C_alpha = ca.SX.sym("C_alpha")
+    Ct = ca.SX.sym("Ct")
+    C_f = 2*C_alpha  # Eq. 4.28
+    k = (1/2)*Ap*CL_gamma*rho  # Eq. 4.29
+    K = Ct + k*u**2  # Eq. 4.31
+    w3 = 1/(m*u)
+    A_vv = -w3*(C_f + K)  # Eq. 4.31
+    w4 = C_f*a - K*b
+    A_vr = -w3*(m*u**2 + w4)  # Eq. 4.31
+    w5 = 1/(Izz*u)
+    A_rv = -w4*w5  # Eq. 4.31
+    A_rr = -w5*(C_f*a**2 + K*b**2)  # Eq. 4.31
+    trace = A_rr + A_vv  # Section 4.7
+    det = A_rr*A_vv - A_rv*A_vr  # Section 4.7
+    discriminant = 4*A_rv*A_vr + (-A_rr + A_vv)**2  # Section 4.7
+    spread = (1/2)*ca.sqrt(ca.fmax(0, discriminant))  # Section 4.7
+    damped_frequency = (1/2)*ca.sqrt(ca.fmax(0, -discriminant))  # Section 4.5.7
+    re_1 = spread + (1/2)*trace  # Section 4.7
+    re_2 = -spread + (1/2)*trace  # Section 4.7
+    im_1 = damped_frequency  # Section 4.7
+    im_2 = -damped_frequency  # Section 4.7
+    decay_rate = -re_1  # Section 4.7
+    natural_frequency = ca.sqrt(det)  # Section 4.5.7
+    damping_ratio = -1/2*trace/natural_frequency  # Section 4.5.7
+    return ca.Function(
+        "linear_modes",
+        [m, Izz, a, b, u, rho, Ap, CL_gamma, C_alpha, Ct],
+        [re_1, im_1, re_2, im_2, decay_rate, natural_frequency, damped_frequency, damping_ratio],
+        ["m", "Izz", "a", "b", "u", "rho", "Ap", "CL_gamma", "C_alpha", "Ct"],
         ["re_1", "im_1", "re_2", "im_2", "decay_rate", "natural_frequency", "damped_frequency", "damping_ratio"],
     )
 

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from .runway import animate, runway_view
     from .sensitivities import Sensitivities
     from .simulation import Trajectory, simulate
+    from .solvers import solver
     from .stability import (
         GearEnvelope,
         GearLimit,
@@ -50,6 +51,7 @@ if TYPE_CHECKING:
         margins,
         speed_window,
     )
+    from .sweeps import Sweep, sweep
     from .tire_data import TireData
     from .tire_fit import fit_tire
     from .trimming import Trim, trim
@@ -78,6 +80,7 @@ _HOME = {
     "StabilityMap": "maps",
     "StepResponse": "response",
     "Survival": "kicks",
+    "Sweep": "sweeps",
     "TireData": "tire_data",
     "Trajectory": "simulation",
     "Trim": "trimming",
@@ -98,10 +101,12 @@ _HOME = {
     "root_locus": "response",
     "runway_view": "runway",
     "simulate": "simulation",
+    "solver": "solvers",
     "speed_window": "stability",
     "stability_map": "maps",
     "step_response": "response",
     "survival": "kicks",
+    "sweep": "sweeps",
     "trim": "trimming",
 }
 
@@ -131,6 +136,7 @@ __all__ = [
     "StabilityMap",
     "StepResponse",
     "Survival",
+    "Sweep",
     "TireData",
     "Trajectory",
     "Trim",
@@ -152,10 +158,12 @@ __all__ = [
     "root_locus",
     "runway_view",
     "simulate",
+    "solver",
     "speed_window",
     "stability_map",
     "step_response",
     "survival",
+    "sweep",
     "trim",
 ]
 

@@ -47,10 +47,7 @@ class Plan:
     @property
     def kernel(self) -> str:
         """The kernel that carries no more than is needed."""
-        carrying = [k for k, kernel in KERNELS.items() if kernel.model == self.tire]
-        carrying.sort(key=lambda k: len(KERNELS[k].states))
-        wanted = {*self.names, *self.watched}
-        return next(k for k in carrying if wanted <= set(kernels.rows(k)))
+        return smallest_kernel(self.tire, (*self.names, *self.watched))
 
     @property
     def final(self) -> tuple[str, ...]:
@@ -234,6 +231,13 @@ def _positive(name: str, value: Any) -> float:
     if number.ndim or number <= 0:
         raise GroundloopError(f"{name} must be a positive number, not {value!r}")
     return float(number)
+
+
+def smallest_kernel(tire: str, names: Iterable[str]) -> str:
+    """The kernel of a model that carries these states and outputs, and little else."""
+    carrying = [k for k, kernel in KERNELS.items() if kernel.model == tire]
+    able = [k for k in carrying if set(names) <= set(kernels.rows(k))]
+    return min(able, key=lambda k: len(KERNELS[k].states))
 
 
 def check_tolerance(tol: Any) -> float:

@@ -10,9 +10,12 @@ import numpy as np
 
 from . import generated
 from .arrays import FloatArray, broadcast
+from .generated import kernels
 
 #: Points per call of a generated function: few enough to stay in the cache.
 _BLOCK = 256
+#: Points from which a kernel pays, which may have to be compiled first.
+_MANY = 20_000
 
 
 def elementwise(name: str, arguments: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
@@ -32,6 +35,54 @@ def elementwise(name: str, arguments: Mapping[str, FloatArray]) -> dict[str, Flo
     """
     function = generated.load(name)
     arrays, shape = broadcast({key: arguments[key] for key in function.name_in()})
+    if math.prod(shape) >= _MANY and kernels.can_sweep(name):
+        found = {key: np.empty(shape) for key in function.name_out()}
+        sweep_into(name, arguments, shape, found)
+        return found
+    return _one_by_one(function, arrays, shape)
+
+
+def sweep_into(
+    name: str,
+    arguments: Mapping[str, FloatArray],
+    shape: tuple[int, ...],
+    results: Mapping[str, FloatArray],
+    threads: int = 1,
+) -> None:
+    """Apply a generated function to many points, in place: `elementwise`, a hundred times faster.
+
+    Parameters
+    ----------
+    name, arguments
+        As for `elementwise`.
+    shape : tuple of int
+        What the arguments broadcast to.
+    results : mapping
+        Contiguous arrays of that shape by result name; others are not kept.
+    threads : int
+        Does not change a bit of the result.
+    """
+    function = generated.build(name)
+    if not kernels.can_sweep(name):
+        found = _one_by_one(function, {k: arguments[k] for k in function.name_in()}, shape)
+        for key, result in results.items():
+            result[...] = found[key]
+        return
+    flat = [_flat(arguments[key], shape) for key in function.name_in()]
+    rows = [results.get(key) for key in function.name_out()]
+    kernels.sweep(name, math.prod(shape), flat, rows, threads)
+
+
+def _flat(array: FloatArray, shape: tuple[int, ...]) -> FloatArray:
+    """An argument as one number or as a column with one for each point."""
+    if array.size == 1:
+        return np.ascontiguousarray(array, dtype=np.float64).reshape(1)
+    return np.ascontiguousarray(np.broadcast_to(array, shape), dtype=np.float64).reshape(-1)
+
+
+def _one_by_one(
+    function: ca.Function, arrays: Mapping[str, FloatArray], shape: tuple[int, ...]
+) -> dict[str, FloatArray]:
     count = math.prod(shape)
     blocks = math.ceil(count / _BLOCK)
     rows = np.ones((len(arrays), blocks * _BLOCK))  # what fills the last block is thrown away

@@ -93,7 +93,7 @@ def fates(
 
 
 def _judged(
-    plane: Aircraft, start: dict[str, FloatArray], criterion: Criterion, options: dict[str, Any]
+    plane: Aircraft, start: dict[str, Any], criterion: Criterion, options: dict[str, Any]
 ) -> tuple[ByteArray, FloatArray]:
     ens = ensemble(
         plane,

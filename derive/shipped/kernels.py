@@ -8,6 +8,7 @@ fewer of them.
 from __future__ import annotations
 
 import ctypes
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -36,6 +37,8 @@ _FLAGS = (
 )
 #: Trajectories in a block: many, or the one of a `Stepper`.
 _WIDE, _SINGLE = 32, 1
+#: So that closed forms are the same bits as in CasADi's virtual machine.
+_UNCONTRACTED = "-ffp-contract=off"
 #: Attempted steps after which a trajectory is given up.
 _MAX_STEPS = 100_000
 
@@ -47,6 +50,19 @@ STATUS = (
     "unsure",
     "left the range",
 )
+
+
+#: OpenMP's threads do not survive a fork; a child that used them would wait for ever.
+_forked = False
+
+
+def _after_fork() -> None:
+    global _forked
+    _forked = True
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
 
 
 class _Job(ctypes.Structure):
@@ -178,7 +194,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
     job = _Job(
         n=n,
         max_steps=_MAX_STEPS,
-        threads=threads,
+        threads=1 if _forked else threads,
         n_times=moments.size,
         observed=not wanted <= set(states),
         t_end=task.t,
@@ -298,8 +314,23 @@ class Stepper:
         return STATUS[int(self._status[0])]
 
 
+def can_sweep(function: str) -> bool:
+    """Whether a function has a kernel for many points, and that can be compiled here."""
+    if function not in SWEEPS:
+        return False
+    try:
+        _load(SWEEPS[function], _UNCONTRACTED)
+    except NoCompilerError:
+        return False  # said by `library.load`, which takes its place
+    return True
+
+
 def sweep(
-    function: str, arguments: Sequence[FloatArray], results: Sequence[FloatArray], threads: int = 1
+    function: str,
+    count: int,
+    arguments: Sequence[FloatArray],
+    results: Sequence[FloatArray | None],
+    threads: int = 1,
 ) -> None:
     """Apply a function of named scalars to many points, in place.
 
@@ -307,8 +338,11 @@ def sweep(
     ----------
     function : str
         One of `names.SWEEPS`.
-    arguments, results : sequence of ndarray, each of shape (n,)
-        In the order of the function; an argument may be a single number, of shape (1,).
+    count : int
+        Number of points.
+    arguments, results : sequence of ndarray, each of `count` elements
+        In the order of the function. An argument may be a single number, of shape (1,); a result
+        that is None is not kept.
     threads : int
         Does not change a bit of the result.
 
@@ -317,10 +351,11 @@ def sweep(
     NoCompilerError
         If there is no C compiler.
     """
-    kernel = getattr(_load(SWEEPS[function], "-ffp-contract=off"), f"sweep_{function}")
+    kernel = getattr(_load(SWEEPS[function], _UNCONTRACTED), f"sweep_{function}")
     kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
     given, made = _Pointers(arguments), _Pointers(results)
-    kernel(results[0].size, threads, given.address(), given.stride_address(), made.address())
+    threads = 1 if _forked else threads
+    kernel(count, threads, given.address(), given.stride_address(), made.address())
 
 
 @cache

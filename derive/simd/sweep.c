@@ -1,4 +1,5 @@
-/* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0. */
+/* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0, and
+ * y[k] a column, or NULL if it is not wanted. */
 #include <math.h>
 #include <stdint.h>
 
@@ -16,11 +17,11 @@ static void sweep_block(block_function *f, int n_in, int n_out, int64_t from, in
     double (*same)[POINTS], const double *const *p, const int64_t *stride, double *const *y)
 {
     const double *columns[MOST];
-    double *results[MOST];
+    double *results[MOST], unwanted[POINTS];
     for (int k = 0; k < n_in; ++k)
         columns[k] = stride[k] ? p[k] + from : same[k];
     for (int k = 0; k < n_out; ++k)
-        results[k] = y[k] + from;
+        results[k] = y[k] ? y[k] + from : unwanted;
     f(n, columns, results);
 }
 

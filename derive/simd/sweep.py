@@ -52,7 +52,7 @@ def _kernel(function: ca.Function) -> Iterator[str]:
     name, n_in, n_out = function.name(), function.n_in(), function.n_out()
     arguments = (
         *(f"const double *restrict p{k}" for k in range(n_in)),
-        *(f"double *restrict y{k}" for k in range(n_out)),
+        *(f"double *y{k}" for k in range(n_out)),
     )
     loop = [
         '_Pragma("omp simd")',

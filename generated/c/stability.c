@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 843cb7aa8bf8165b) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -84,7 +84,11 @@
 #define casadi_f65 CASADI_PREFIX(f65)
 #define casadi_f66 CASADI_PREFIX(f66)
 #define casadi_f67 CASADI_PREFIX(f67)
+#define casadi_f68 CASADI_PREFIX(f68)
+#define casadi_f69 CASADI_PREFIX(f69)
 #define casadi_f7 CASADI_PREFIX(f7)
+#define casadi_f70 CASADI_PREFIX(f70)
+#define casadi_f71 CASADI_PREFIX(f71)
 #define casadi_f8 CASADI_PREFIX(f8)
 #define casadi_f9 CASADI_PREFIX(f9)
 #define casadi_fabs CASADI_PREFIX(fabs)
@@ -3392,8 +3396,1541 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_modes_work_bytes(casadi_int *sz_arg, casadi_i
   return 0;
 }
 
-/* times:(decay_rate)->(T_half,T_double) */
+/* linear_modes:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct)->(re_1,im_1,re_2,im_2,decay_rate,natural_frequency,damped_frequency,damping_ratio) */
 static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12;
+  a00=5.0000000000000000e-01;
+  a01=0.;
+  a02=4.;
+  a03=arg[8]? arg[8][0] : 0;
+  a03=(2.*a03);
+  a04=arg[2]? arg[2][0] : 0;
+  a05=(a03*a04);
+  a06=arg[9]? arg[9][0] : 0;
+  a07=arg[6]? arg[6][0] : 0;
+  a07=(a00*a07);
+  a08=arg[7]? arg[7][0] : 0;
+  a07=(a07*a08);
+  a08=arg[5]? arg[5][0] : 0;
+  a07=(a07*a08);
+  a08=arg[4]? arg[4][0] : 0;
+  a09=casadi_sq(a08);
+  a07=(a07*a09);
+  a06=(a06+a07);
+  a07=arg[3]? arg[3][0] : 0;
+  a09=(a06*a07);
+  a05=(a05-a09);
+  a09=arg[1]? arg[1][0] : 0;
+  a09=(a09*a08);
+  a10=(a05/a09);
+  a02=(a02*a10);
+  a11=arg[0]? arg[0][0] : 0;
+  a12=casadi_sq(a08);
+  a12=(a11*a12);
+  a12=(a12+a05);
+  a11=(a11*a08);
+  a12=(a12/a11);
+  a02=(a02*a12);
+  a04=casadi_sq(a04);
+  a04=(a03*a04);
+  a07=casadi_sq(a07);
+  a07=(a06*a07);
+  a04=(a04+a07);
+  a04=(a04/a09);
+  a03=(a03+a06);
+  a03=(a03/a11);
+  a11=(a04-a03);
+  a11=casadi_sq(a11);
+  a02=(a02+a11);
+  a11=casadi_fmax(a01,a02);
+  a11=sqrt(a11);
+  a11=(a00*a11);
+  a06=(a04+a03);
+  a09=(a00*a06);
+  a09=(a11-a09);
+  if (res[0]!=0) res[0][0]=a09;
+  a02=(-a02);
+  a01=casadi_fmax(a01,a02);
+  a01=sqrt(a01);
+  a01=(a00*a01);
+  if (res[1]!=0) res[1][0]=a01;
+  a00=(a00*a06);
+  a11=(a11+a00);
+  a11=(-a11);
+  if (res[2]!=0) res[2][0]=a11;
+  a11=(-a01);
+  if (res[3]!=0) res[3][0]=a11;
+  a09=(-a09);
+  if (res[4]!=0) res[4][0]=a09;
+  a04=(a04*a03);
+  a10=(a10*a12);
+  a04=(a04-a10);
+  a04=sqrt(a04);
+  if (res[5]!=0) res[5][0]=a04;
+  if (res[6]!=0) res[6][0]=a01;
+  a01=-5.0000000000000000e-01;
+  a01=(a01*a06);
+  a01=(a01/a04);
+  a01=(-a01);
+  if (res[7]!=0) res[7][0]=a01;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int linear_modes(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f12(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int linear_modes_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void linear_modes_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void linear_modes_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void linear_modes_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int linear_modes_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int linear_modes_n_out(void) { return 8;}
+
+CASADI_SYMBOL_EXPORT casadi_real linear_modes_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* linear_modes_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* linear_modes_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "re_1";
+    case 1: return "im_1";
+    case 2: return "re_2";
+    case 3: return "im_2";
+    case 4: return "decay_rate";
+    case 5: return "natural_frequency";
+    case 6: return "damped_frequency";
+    case 7: return "damping_ratio";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* linear_modes_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* linear_modes_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int linear_modes_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 8;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int linear_modes_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 8*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_linear_modes:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_re_1[1x1,0nz],out_im_1[1x1,0nz],out_re_2[1x1,0nz],out_im_2[1x1,0nz],out_decay_rate[1x1,0nz],out_natural_frequency[1x1,0nz],out_damped_frequency[1x1,0nz],out_damping_ratio[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_re_1,fwd_im_1,fwd_re_2,fwd_im_2,fwd_decay_rate,fwd_natural_frequency,fwd_damped_frequency,fwd_damping_ratio) */
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33;
+  a00=5.0000000000000000e-01;
+  a01=0.;
+  a02=4.;
+  a03=arg[8]? arg[8][0] : 0;
+  a03=(2.*a03);
+  a04=arg[2]? arg[2][0] : 0;
+  a05=(a03*a04);
+  a06=arg[9]? arg[9][0] : 0;
+  a07=arg[6]? arg[6][0] : 0;
+  a07=(a00*a07);
+  a08=arg[7]? arg[7][0] : 0;
+  a09=(a07*a08);
+  a10=arg[5]? arg[5][0] : 0;
+  a11=(a09*a10);
+  a12=arg[4]? arg[4][0] : 0;
+  a13=casadi_sq(a12);
+  a14=(a11*a13);
+  a06=(a06+a14);
+  a14=arg[3]? arg[3][0] : 0;
+  a15=(a06*a14);
+  a05=(a05-a15);
+  a15=arg[1]? arg[1][0] : 0;
+  a16=(a15*a12);
+  a17=(a05/a16);
+  a18=(a02*a17);
+  a19=arg[0]? arg[0][0] : 0;
+  a20=casadi_sq(a12);
+  a21=(a19*a20);
+  a21=(a21+a05);
+  a05=(a19*a12);
+  a21=(a21/a05);
+  a22=(a18*a21);
+  a23=casadi_sq(a04);
+  a24=(a03*a23);
+  a25=casadi_sq(a14);
+  a26=(a06*a25);
+  a24=(a24+a26);
+  a24=(a24/a16);
+  a26=(a03+a06);
+  a26=(a26/a05);
+  a27=(a24-a26);
+  a28=casadi_sq(a27);
+  a22=(a22+a28);
+  a28=(a01<=a22);
+  a29=(a22<=a01);
+  a29=(a29+a28);
+  a28=(a28/a29);
+  a29=arg[26]? arg[26][0] : 0;
+  a29=(2.*a29);
+  a30=(a04*a29);
+  a31=arg[20]? arg[20][0] : 0;
+  a32=(a03*a31);
+  a30=(a30+a32);
+  a32=arg[27]? arg[27][0] : 0;
+  a33=arg[24]? arg[24][0] : 0;
+  a33=(a00*a33);
+  a08=(a08*a33);
+  a33=arg[25]? arg[25][0] : 0;
+  a07=(a07*a33);
+  a08=(a08+a07);
+  a10=(a10*a08);
+  a08=arg[23]? arg[23][0] : 0;
+  a09=(a09*a08);
+  a10=(a10+a09);
+  a13=(a13*a10);
+  a10=(2.*a12);
+  a09=arg[22]? arg[22][0] : 0;
+  a10=(a10*a09);
+  a11=(a11*a10);
+  a13=(a13+a11);
+  a32=(a32+a13);
+  a13=(a14*a32);
+  a11=arg[21]? arg[21][0] : 0;
+  a10=(a06*a11);
+  a13=(a13+a10);
+  a30=(a30-a13);
+  a13=(a30/a16);
+  a10=(a17/a16);
+  a08=arg[19]? arg[19][0] : 0;
+  a08=(a12*a08);
+  a15=(a15*a09);
+  a08=(a08+a15);
+  a10=(a10*a08);
+  a13=(a13-a10);
+  a02=(a02*a13);
+  a02=(a21*a02);
+  a10=arg[18]? arg[18][0] : 0;
+  a20=(a20*a10);
+  a15=(2.*a12);
+  a15=(a15*a09);
+  a15=(a19*a15);
+  a20=(a20+a15);
+  a20=(a20+a30);
+  a20=(a20/a05);
+  a30=(a21/a05);
+  a12=(a12*a10);
+  a19=(a19*a09);
+  a12=(a12+a19);
+  a30=(a30*a12);
+  a20=(a20-a30);
+  a18=(a18*a20);
+  a02=(a02+a18);
+  a27=(2.*a27);
+  a23=(a23*a29);
+  a04=(2.*a04);
+  a04=(a04*a31);
+  a03=(a03*a04);
+  a23=(a23+a03);
+  a25=(a25*a32);
+  a14=(2.*a14);
+  a14=(a14*a11);
+  a06=(a06*a14);
+  a25=(a25+a06);
+  a23=(a23+a25);
+  a23=(a23/a16);
+  a16=(a24/a16);
+  a16=(a16*a08);
+  a23=(a23-a16);
+  a29=(a29+a32);
+  a29=(a29/a05);
+  a05=(a26/a05);
+  a05=(a05*a12);
+  a29=(a29-a05);
+  a05=(a23-a29);
+  a27=(a27*a05);
+  a02=(a02+a27);
+  a28=(a28*a02);
+  a27=casadi_fmax(a01,a22);
+  a27=sqrt(a27);
+  a27=(2.*a27);
+  a28=(a28/a27);
+  a28=(a00*a28);
+  a27=(a23+a29);
+  a05=(a00*a27);
+  a05=(a28-a05);
+  if (res[0]!=0) res[0][0]=a05;
+  a22=(-a22);
+  a12=(a01<=a22);
+  a32=(a22<=a01);
+  a32=(a32+a12);
+  a12=(a12/a32);
+  a12=(a12*a02);
+  a01=casadi_fmax(a01,a22);
+  a01=sqrt(a01);
+  a01=(2.*a01);
+  a12=(a12/a01);
+  a12=(a00*a12);
+  a01=(-a12);
+  if (res[1]!=0) res[1][0]=a01;
+  a00=(a00*a27);
+  a28=(a28+a00);
+  a28=(-a28);
+  if (res[2]!=0) res[2][0]=a28;
+  if (res[3]!=0) res[3][0]=a12;
+  a05=(-a05);
+  if (res[4]!=0) res[4][0]=a05;
+  a23=(a26*a23);
+  a29=(a24*a29);
+  a23=(a23+a29);
+  a13=(a21*a13);
+  a20=(a17*a20);
+  a13=(a13+a20);
+  a23=(a23-a13);
+  a13=(a24*a26);
+  a17=(a17*a21);
+  a13=(a13-a17);
+  a13=sqrt(a13);
+  a17=(2.*a13);
+  a23=(a23/a17);
+  if (res[5]!=0) res[5][0]=a23;
+  if (res[6]!=0) res[6][0]=a01;
+  a01=-5.0000000000000000e-01;
+  a27=(a01*a27);
+  a27=(a27/a13);
+  a24=(a24+a26);
+  a01=(a01*a24);
+  a01=(a01/a13);
+  a01=(a01/a13);
+  a01=(a01*a23);
+  a27=(a27-a01);
+  a27=(-a27);
+  if (res[7]!=0) res[7][0]=a27;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_linear_modes(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f13(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_linear_modes_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_linear_modes_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_linear_modes_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_linear_modes_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_linear_modes_n_in(void) { return 28;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_linear_modes_n_out(void) { return 8;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_linear_modes_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_linear_modes_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    case 10: return "out_re_1";
+    case 11: return "out_im_1";
+    case 12: return "out_re_2";
+    case 13: return "out_im_2";
+    case 14: return "out_decay_rate";
+    case 15: return "out_natural_frequency";
+    case 16: return "out_damped_frequency";
+    case 17: return "out_damping_ratio";
+    case 18: return "fwd_m";
+    case 19: return "fwd_Izz";
+    case 20: return "fwd_a";
+    case 21: return "fwd_b";
+    case 22: return "fwd_u";
+    case 23: return "fwd_rho";
+    case 24: return "fwd_Ap";
+    case 25: return "fwd_CL_gamma";
+    case 26: return "fwd_C_alpha";
+    case 27: return "fwd_Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_linear_modes_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_re_1";
+    case 1: return "fwd_im_1";
+    case 2: return "fwd_re_2";
+    case 3: return "fwd_im_2";
+    case 4: return "fwd_decay_rate";
+    case 5: return "fwd_natural_frequency";
+    case 6: return "fwd_damped_frequency";
+    case 7: return "fwd_damping_ratio";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_linear_modes_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s1;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s0;
+    case 24: return casadi_s0;
+    case 25: return casadi_s0;
+    case 26: return casadi_s0;
+    case 27: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_linear_modes_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_linear_modes_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 28;
+  if (sz_res) *sz_res = 8;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_linear_modes_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 28*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 8*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_linear_modes:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_re_1[1x1,0nz],out_im_1[1x1,0nz],out_re_2[1x1,0nz],out_im_2[1x1,0nz],out_decay_rate[1x1,0nz],out_natural_frequency[1x1,0nz],out_damped_frequency[1x1,0nz],out_damping_ratio[1x1,0nz],adj_re_1,adj_im_1,adj_re_2,adj_im_2,adj_decay_rate,adj_natural_frequency,adj_damped_frequency,adj_damping_ratio)->(adj_m,adj_Izz,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  a00=arg[4]? arg[4][0] : 0;
+  a01=casadi_sq(a00);
+  a02=4.;
+  a03=arg[8]? arg[8][0] : 0;
+  a03=(2.*a03);
+  a04=arg[2]? arg[2][0] : 0;
+  a05=(a03*a04);
+  a06=arg[9]? arg[9][0] : 0;
+  a07=5.0000000000000000e-01;
+  a08=arg[6]? arg[6][0] : 0;
+  a08=(a07*a08);
+  a09=arg[7]? arg[7][0] : 0;
+  a10=(a08*a09);
+  a11=arg[5]? arg[5][0] : 0;
+  a12=(a10*a11);
+  a13=casadi_sq(a00);
+  a14=(a12*a13);
+  a06=(a06+a14);
+  a14=arg[3]? arg[3][0] : 0;
+  a15=(a06*a14);
+  a05=(a05-a15);
+  a15=arg[1]? arg[1][0] : 0;
+  a16=(a15*a00);
+  a17=(a05/a16);
+  a18=(a02*a17);
+  a19=0.;
+  a20=arg[0]? arg[0][0] : 0;
+  a21=(a20*a01);
+  a21=(a21+a05);
+  a05=(a20*a00);
+  a21=(a21/a05);
+  a22=(a18*a21);
+  a23=casadi_sq(a04);
+  a24=(a03*a23);
+  a25=casadi_sq(a14);
+  a26=(a06*a25);
+  a24=(a24+a26);
+  a24=(a24/a16);
+  a26=(a03+a06);
+  a26=(a26/a05);
+  a27=(a24-a26);
+  a28=casadi_sq(a27);
+  a22=(a22+a28);
+  a28=(a19<=a22);
+  a29=(a22<=a19);
+  a29=(a29+a28);
+  a28=(a28/a29);
+  a29=arg[18]? arg[18][0] : 0;
+  a30=arg[22]? arg[22][0] : 0;
+  a29=(a29-a30);
+  a30=arg[20]? arg[20][0] : 0;
+  a31=(a29-a30);
+  a31=(a07*a31);
+  a32=casadi_fmax(a19,a22);
+  a32=sqrt(a32);
+  a32=(2.*a32);
+  a31=(a31/a32);
+  a28=(a28*a31);
+  a22=(-a22);
+  a31=(a19<=a22);
+  a32=(a22<=a19);
+  a32=(a32+a31);
+  a31=(a31/a32);
+  a32=arg[24]? arg[24][0] : 0;
+  a33=arg[21]? arg[21][0] : 0;
+  a32=(a32-a33);
+  a33=arg[19]? arg[19][0] : 0;
+  a32=(a32+a33);
+  a32=(a07*a32);
+  a19=casadi_fmax(a19,a22);
+  a19=sqrt(a19);
+  a19=(2.*a19);
+  a32=(a32/a19);
+  a31=(a31*a32);
+  a28=(a28-a31);
+  a18=(a18*a28);
+  a31=-5.0000000000000000e-01;
+  a32=(a24+a26);
+  a32=(a31*a32);
+  a19=(a24*a26);
+  a22=(a17*a21);
+  a19=(a19-a22);
+  a19=sqrt(a19);
+  a32=(a32/a19);
+  a32=(a32/a19);
+  a22=arg[25]? arg[25][0] : 0;
+  a32=(a32*a22);
+  a33=arg[23]? arg[23][0] : 0;
+  a32=(a32+a33);
+  a33=(2.*a19);
+  a32=(a32/a33);
+  a33=(a17*a32);
+  a18=(a18-a33);
+  a33=(a18/a05);
+  a01=(a01*a33);
+  a34=(a26/a05);
+  a35=(a24*a32);
+  a22=(a22/a19);
+  a31=(a31*a22);
+  a30=(a07*a30);
+  a31=(a31+a30);
+  a29=(a07*a29);
+  a31=(a31+a29);
+  a35=(a35-a31);
+  a27=(2.*a27);
+  a27=(a27*a28);
+  a35=(a35-a27);
+  a34=(a34*a35);
+  a29=(a21/a05);
+  a29=(a29*a18);
+  a34=(a34+a29);
+  a29=(a00*a34);
+  a01=(a01-a29);
+  if (res[0]!=0) res[0][0]=a01;
+  a24=(a24/a16);
+  a26=(a26*a32);
+  a26=(a26-a31);
+  a26=(a26+a27);
+  a24=(a24*a26);
+  a17=(a17/a16);
+  a28=(a21*a28);
+  a02=(a02*a28);
+  a21=(a21*a32);
+  a02=(a02-a21);
+  a17=(a17*a02);
+  a24=(a24+a17);
+  a17=(a00*a24);
+  a17=(-a17);
+  if (res[1]!=0) res[1][0]=a17;
+  a17=(2.*a04);
+  a26=(a26/a16);
+  a21=(a03*a26);
+  a17=(a17*a21);
+  a02=(a02/a16);
+  a02=(a33+a02);
+  a03=(a03*a02);
+  a17=(a17+a03);
+  if (res[2]!=0) res[2][0]=a17;
+  a17=(2.*a14);
+  a03=(a06*a26);
+  a17=(a17*a03);
+  a06=(a06*a02);
+  a17=(a17-a06);
+  if (res[3]!=0) res[3][0]=a17;
+  a17=(2.*a00);
+  a33=(a20*a33);
+  a17=(a17*a33);
+  a20=(a20*a34);
+  a17=(a17-a20);
+  a15=(a15*a24);
+  a17=(a17-a15);
+  a00=(2.*a00);
+  a35=(a35/a05);
+  a25=(a25*a26);
+  a25=(a35+a25);
+  a14=(a14*a02);
+  a25=(a25-a14);
+  a12=(a12*a25);
+  a00=(a00*a12);
+  a17=(a17+a00);
+  if (res[4]!=0) res[4][0]=a17;
+  a13=(a13*a25);
+  a10=(a10*a13);
+  if (res[5]!=0) res[5][0]=a10;
+  a11=(a11*a13);
+  a09=(a09*a11);
+  a07=(a07*a09);
+  if (res[6]!=0) res[6][0]=a07;
+  a08=(a08*a11);
+  if (res[7]!=0) res[7][0]=a08;
+  a23=(a23*a26);
+  a35=(a35+a23);
+  a04=(a04*a02);
+  a35=(a35+a04);
+  a35=(2.*a35);
+  if (res[8]!=0) res[8][0]=a35;
+  if (res[9]!=0) res[9][0]=a25;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_linear_modes(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f14(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_linear_modes_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_linear_modes_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_linear_modes_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_linear_modes_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_linear_modes_n_in(void) { return 26;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_linear_modes_n_out(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_linear_modes_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_linear_modes_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    case 10: return "out_re_1";
+    case 11: return "out_im_1";
+    case 12: return "out_re_2";
+    case 13: return "out_im_2";
+    case 14: return "out_decay_rate";
+    case 15: return "out_natural_frequency";
+    case 16: return "out_damped_frequency";
+    case 17: return "out_damping_ratio";
+    case 18: return "adj_re_1";
+    case 19: return "adj_im_1";
+    case 20: return "adj_re_2";
+    case 21: return "adj_im_2";
+    case 22: return "adj_decay_rate";
+    case 23: return "adj_natural_frequency";
+    case 24: return "adj_damped_frequency";
+    case 25: return "adj_damping_ratio";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_linear_modes_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_m";
+    case 1: return "adj_Izz";
+    case 2: return "adj_a";
+    case 3: return "adj_b";
+    case 4: return "adj_u";
+    case 5: return "adj_rho";
+    case 6: return "adj_Ap";
+    case 7: return "adj_CL_gamma";
+    case 8: return "adj_C_alpha";
+    case 9: return "adj_Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_linear_modes_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s1;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s0;
+    case 24: return casadi_s0;
+    case 25: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_linear_modes_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_linear_modes_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 26;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_linear_modes_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 26*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_linear_modes:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_re_1[1x1,0nz],out_im_1[1x1,0nz],out_re_2[1x1,0nz],out_im_2[1x1,0nz],out_decay_rate[1x1,0nz],out_natural_frequency[1x1,0nz],out_damped_frequency[1x1,0nz],out_damping_ratio[1x1,0nz],adj_re_1,adj_im_1,adj_re_2,adj_im_2,adj_decay_rate,adj_natural_frequency,adj_damped_frequency,adj_damping_ratio,out_adj_m[1x1,0nz],out_adj_Izz[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_re_1[1x1,0nz],fwd_out_im_1[1x1,0nz],fwd_out_re_2[1x1,0nz],fwd_out_im_2[1x1,0nz],fwd_out_decay_rate[1x1,0nz],fwd_out_natural_frequency[1x1,0nz],fwd_out_damped_frequency[1x1,0nz],fwd_out_damping_ratio[1x1,0nz],fwd_adj_re_1,fwd_adj_im_1,fwd_adj_re_2,fwd_adj_im_2,fwd_adj_decay_rate,fwd_adj_natural_frequency,fwd_adj_damped_frequency,fwd_adj_damping_ratio)->(fwd_adj_m,fwd_adj_Izz,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
+  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
+  casadi_real a60, a61, a62, a63, a64, a65, a66, a67, a68, a69, a70, a71;
+  casadi_real a72, a73, a74, a75, a76;
+  a00=4.;
+  a01=arg[8]? arg[8][0] : 0;
+  a01=(2.*a01);
+  a02=arg[2]? arg[2][0] : 0;
+  a03=(a01*a02);
+  a04=arg[9]? arg[9][0] : 0;
+  a05=5.0000000000000000e-01;
+  a06=arg[6]? arg[6][0] : 0;
+  a06=(a05*a06);
+  a07=arg[7]? arg[7][0] : 0;
+  a08=(a06*a07);
+  a09=arg[5]? arg[5][0] : 0;
+  a10=(a08*a09);
+  a11=arg[4]? arg[4][0] : 0;
+  a12=casadi_sq(a11);
+  a13=(a10*a12);
+  a04=(a04+a13);
+  a13=arg[3]? arg[3][0] : 0;
+  a14=(a04*a13);
+  a03=(a03-a14);
+  a14=arg[1]? arg[1][0] : 0;
+  a15=(a14*a11);
+  a16=(a03/a15);
+  a17=(a00*a16);
+  a18=0.;
+  a19=arg[0]? arg[0][0] : 0;
+  a20=casadi_sq(a11);
+  a21=(a19*a20);
+  a21=(a21+a03);
+  a03=(a19*a11);
+  a21=(a21/a03);
+  a22=(a17*a21);
+  a23=casadi_sq(a02);
+  a24=(a01*a23);
+  a25=casadi_sq(a13);
+  a26=(a04*a25);
+  a24=(a24+a26);
+  a24=(a24/a15);
+  a26=(a01+a04);
+  a26=(a26/a03);
+  a27=(a24-a26);
+  a28=casadi_sq(a27);
+  a22=(a22+a28);
+  a28=(a18<=a22);
+  a29=(a22<=a18);
+  a29=(a29+a28);
+  a28=(a28/a29);
+  a29=arg[18]? arg[18][0] : 0;
+  a30=arg[22]? arg[22][0] : 0;
+  a29=(a29-a30);
+  a30=arg[20]? arg[20][0] : 0;
+  a31=(a29-a30);
+  a31=(a05*a31);
+  a32=casadi_fmax(a18,a22);
+  a32=sqrt(a32);
+  a33=(2.*a32);
+  a31=(a31/a33);
+  a34=(a28*a31);
+  a35=(-a22);
+  a36=(a18<=a35);
+  a37=(a35<=a18);
+  a37=(a37+a36);
+  a36=(a36/a37);
+  a37=arg[24]? arg[24][0] : 0;
+  a38=arg[21]? arg[21][0] : 0;
+  a37=(a37-a38);
+  a38=arg[19]? arg[19][0] : 0;
+  a37=(a37+a38);
+  a37=(a05*a37);
+  a38=casadi_fmax(a18,a35);
+  a38=sqrt(a38);
+  a39=(2.*a38);
+  a37=(a37/a39);
+  a40=(a36*a37);
+  a34=(a34-a40);
+  a40=(a17*a34);
+  a41=-5.0000000000000000e-01;
+  a42=(a24+a26);
+  a42=(a41*a42);
+  a43=(a24*a26);
+  a44=(a16*a21);
+  a43=(a43-a44);
+  a43=sqrt(a43);
+  a42=(a42/a43);
+  a44=(a42/a43);
+  a45=arg[25]? arg[25][0] : 0;
+  a46=(a44*a45);
+  a47=arg[23]? arg[23][0] : 0;
+  a46=(a46+a47);
+  a47=(2.*a43);
+  a46=(a46/a47);
+  a48=(a16*a46);
+  a40=(a40-a48);
+  a48=(a40/a03);
+  a49=(2.*a11);
+  a50=arg[40]? arg[40][0] : 0;
+  a49=(a49*a50);
+  a51=(a48*a49);
+  a52=arg[44]? arg[44][0] : 0;
+  a52=(2.*a52);
+  a53=(a02*a52);
+  a54=arg[38]? arg[38][0] : 0;
+  a55=(a01*a54);
+  a53=(a53+a55);
+  a55=arg[45]? arg[45][0] : 0;
+  a56=arg[42]? arg[42][0] : 0;
+  a56=(a05*a56);
+  a57=(a07*a56);
+  a58=arg[43]? arg[43][0] : 0;
+  a59=(a06*a58);
+  a57=(a57+a59);
+  a59=(a09*a57);
+  a60=arg[41]? arg[41][0] : 0;
+  a61=(a08*a60);
+  a59=(a59+a61);
+  a61=(a12*a59);
+  a62=(2.*a11);
+  a62=(a62*a50);
+  a63=(a10*a62);
+  a61=(a61+a63);
+  a55=(a55+a61);
+  a61=(a13*a55);
+  a63=arg[39]? arg[39][0] : 0;
+  a64=(a04*a63);
+  a61=(a61+a64);
+  a53=(a53-a61);
+  a61=(a53/a15);
+  a64=(a16/a15);
+  a65=arg[37]? arg[37][0] : 0;
+  a66=(a11*a65);
+  a67=(a14*a50);
+  a66=(a66+a67);
+  a64=(a64*a66);
+  a61=(a61-a64);
+  a64=(a00*a61);
+  a67=(a34*a64);
+  a68=arg[54]? arg[54][0] : 0;
+  a69=arg[58]? arg[58][0] : 0;
+  a68=(a68-a69);
+  a69=arg[56]? arg[56][0] : 0;
+  a70=(a68-a69);
+  a70=(a05*a70);
+  a70=(a70/a33);
+  a31=(a31/a33);
+  a33=(a18<=a22);
+  a22=(a22<=a18);
+  a22=(a22+a33);
+  a33=(a33/a22);
+  a64=(a21*a64);
+  a22=arg[36]? arg[36][0] : 0;
+  a71=(a20*a22);
+  a49=(a19*a49);
+  a71=(a71+a49);
+  a71=(a71+a53);
+  a71=(a71/a03);
+  a53=(a21/a03);
+  a49=(a11*a22);
+  a72=(a19*a50);
+  a49=(a49+a72);
+  a53=(a53*a49);
+  a71=(a71-a53);
+  a53=(a17*a71);
+  a64=(a64+a53);
+  a53=(2.*a27);
+  a72=(a23*a52);
+  a73=(2.*a02);
+  a73=(a73*a54);
+  a74=(a01*a73);
+  a72=(a72+a74);
+  a74=(a25*a55);
+  a75=(2.*a13);
+  a75=(a75*a63);
+  a76=(a04*a75);
+  a74=(a74+a76);
+  a72=(a72+a74);
+  a72=(a72/a15);
+  a74=(a24/a15);
+  a74=(a74*a66);
+  a72=(a72-a74);
+  a74=(a52+a55);
+  a74=(a74/a03);
+  a76=(a26/a03);
+  a76=(a76*a49);
+  a74=(a74-a76);
+  a76=(a72-a74);
+  a53=(a53*a76);
+  a64=(a64+a53);
+  a33=(a33*a64);
+  a32=(2.*a32);
+  a33=(a33/a32);
+  a33=(2.*a33);
+  a31=(a31*a33);
+  a70=(a70-a31);
+  a28=(a28*a70);
+  a70=arg[60]? arg[60][0] : 0;
+  a31=arg[57]? arg[57][0] : 0;
+  a70=(a70-a31);
+  a31=arg[55]? arg[55][0] : 0;
+  a70=(a70+a31);
+  a70=(a05*a70);
+  a70=(a70/a39);
+  a37=(a37/a39);
+  a39=(a18<=a35);
+  a35=(a35<=a18);
+  a35=(a35+a39);
+  a39=(a39/a35);
+  a39=(a39*a64);
+  a38=(2.*a38);
+  a39=(a39/a38);
+  a39=(-a39);
+  a39=(2.*a39);
+  a37=(a37*a39);
+  a70=(a70-a37);
+  a36=(a36*a70);
+  a28=(a28-a36);
+  a17=(a17*a28);
+  a67=(a67+a17);
+  a17=(a46*a61);
+  a36=(a72+a74);
+  a36=(a41*a36);
+  a36=(a36/a43);
+  a42=(a42/a43);
+  a70=(a26*a72);
+  a37=(a24*a74);
+  a70=(a70+a37);
+  a37=(a21*a61);
+  a39=(a16*a71);
+  a37=(a37+a39);
+  a70=(a70-a37);
+  a37=(2.*a43);
+  a70=(a70/a37);
+  a42=(a42*a70);
+  a36=(a36-a42);
+  a36=(a36/a43);
+  a42=(a44/a43);
+  a42=(a42*a70);
+  a36=(a36-a42);
+  a36=(a45*a36);
+  a42=arg[61]? arg[61][0] : 0;
+  a44=(a44*a42);
+  a36=(a36+a44);
+  a44=arg[59]? arg[59][0] : 0;
+  a36=(a36+a44);
+  a36=(a36/a47);
+  a47=(a46/a47);
+  a44=(2.*a70);
+  a47=(a47*a44);
+  a36=(a36-a47);
+  a47=(a16*a36);
+  a17=(a17+a47);
+  a67=(a67-a17);
+  a17=(a67/a03);
+  a47=(a48/a03);
+  a47=(a47*a49);
+  a17=(a17-a47);
+  a20=(a20*a17);
+  a51=(a51+a20);
+  a20=(a26/a03);
+  a47=(a24*a46);
+  a45=(a45/a43);
+  a44=(a41*a45);
+  a30=(a05*a30);
+  a44=(a44+a30);
+  a29=(a05*a29);
+  a44=(a44+a29);
+  a47=(a47-a44);
+  a27=(2.*a27);
+  a29=(a27*a34);
+  a47=(a47-a29);
+  a30=(a20*a47);
+  a37=(a21/a03);
+  a39=(a37*a40);
+  a30=(a30+a39);
+  a39=(a30*a50);
+  a38=(a74/a03);
+  a64=(a20/a03);
+  a64=(a64*a49);
+  a38=(a38-a64);
+  a38=(a47*a38);
+  a64=(a46*a72);
+  a35=(a24*a36);
+  a64=(a64+a35);
+  a42=(a42/a43);
+  a45=(a45/a43);
+  a45=(a45*a70);
+  a42=(a42-a45);
+  a41=(a41*a42);
+  a69=(a05*a69);
+  a41=(a41+a69);
+  a68=(a05*a68);
+  a41=(a41+a68);
+  a64=(a64-a41);
+  a76=(2.*a76);
+  a76=(a34*a76);
+  a27=(a27*a28);
+  a76=(a76+a27);
+  a64=(a64-a76);
+  a20=(a20*a64);
+  a38=(a38+a20);
+  a20=(a71/a03);
+  a27=(a37/a03);
+  a27=(a27*a49);
+  a20=(a20-a27);
+  a40=(a40*a20);
+  a37=(a37*a67);
+  a40=(a40+a37);
+  a38=(a38+a40);
+  a40=(a11*a38);
+  a39=(a39+a40);
+  a51=(a51-a39);
+  if (res[0]!=0) res[0][0]=a51;
+  a24=(a24/a15);
+  a51=(a26*a46);
+  a51=(a51-a44);
+  a51=(a51+a29);
+  a29=(a24*a51);
+  a16=(a16/a15);
+  a44=(a21*a34);
+  a44=(a00*a44);
+  a39=(a21*a46);
+  a44=(a44-a39);
+  a39=(a16*a44);
+  a29=(a29+a39);
+  a39=(a29*a50);
+  a72=(a72/a15);
+  a40=(a24/a15);
+  a40=(a40*a66);
+  a72=(a72-a40);
+  a72=(a51*a72);
+  a74=(a46*a74);
+  a26=(a26*a36);
+  a74=(a74+a26);
+  a74=(a74-a41);
+  a74=(a74+a76);
+  a24=(a24*a74);
+  a72=(a72+a24);
+  a61=(a61/a15);
+  a24=(a16/a15);
+  a24=(a24*a66);
+  a61=(a61-a24);
+  a61=(a44*a61);
+  a34=(a34*a71);
+  a28=(a21*a28);
+  a34=(a34+a28);
+  a00=(a00*a34);
+  a46=(a46*a71);
+  a21=(a21*a36);
+  a46=(a46+a21);
+  a00=(a00-a46);
+  a16=(a16*a00);
+  a61=(a61+a16);
+  a72=(a72+a61);
+  a61=(a11*a72);
+  a39=(a39+a61);
+  a39=(-a39);
+  if (res[1]!=0) res[1][0]=a39;
+  a51=(a51/a15);
+  a39=(a01*a51);
+  a61=(2.*a54);
+  a39=(a39*a61);
+  a61=(2.*a02);
+  a16=(a51*a52);
+  a74=(a74/a15);
+  a46=(a51/a15);
+  a46=(a46*a66);
+  a74=(a74-a46);
+  a46=(a01*a74);
+  a16=(a16+a46);
+  a61=(a61*a16);
+  a39=(a39+a61);
+  a44=(a44/a15);
+  a61=(a48+a44);
+  a52=(a61*a52);
+  a00=(a00/a15);
+  a44=(a44/a15);
+  a44=(a44*a66);
+  a00=(a00-a44);
+  a00=(a17+a00);
+  a01=(a01*a00);
+  a52=(a52+a01);
+  a39=(a39+a52);
+  if (res[2]!=0) res[2][0]=a39;
+  a39=(a04*a51);
+  a52=(2.*a63);
+  a39=(a39*a52);
+  a52=(2.*a13);
+  a01=(a51*a55);
+  a44=(a04*a74);
+  a01=(a01+a44);
+  a52=(a52*a01);
+  a39=(a39+a52);
+  a55=(a61*a55);
+  a04=(a04*a00);
+  a55=(a55+a04);
+  a39=(a39-a55);
+  if (res[3]!=0) res[3][0]=a39;
+  a39=(a19*a48);
+  a55=(2.*a50);
+  a39=(a39*a55);
+  a55=(2.*a11);
+  a48=(a48*a22);
+  a17=(a19*a17);
+  a48=(a48+a17);
+  a55=(a55*a48);
+  a39=(a39+a55);
+  a30=(a30*a22);
+  a19=(a19*a38);
+  a30=(a30+a19);
+  a39=(a39-a30);
+  a29=(a29*a65);
+  a14=(a14*a72);
+  a29=(a29+a14);
+  a39=(a39-a29);
+  a47=(a47/a03);
+  a29=(a25*a51);
+  a29=(a47+a29);
+  a14=(a13*a61);
+  a29=(a29-a14);
+  a14=(a10*a29);
+  a50=(2.*a50);
+  a14=(a14*a50);
+  a11=(2.*a11);
+  a59=(a29*a59);
+  a64=(a64/a03);
+  a47=(a47/a03);
+  a47=(a47*a49);
+  a64=(a64-a47);
+  a75=(a51*a75);
+  a25=(a25*a74);
+  a75=(a75+a25);
+  a75=(a64+a75);
+  a63=(a61*a63);
+  a13=(a13*a00);
+  a63=(a63+a13);
+  a75=(a75-a63);
+  a10=(a10*a75);
+  a59=(a59+a10);
+  a11=(a11*a59);
+  a14=(a14+a11);
+  a39=(a39+a14);
+  if (res[4]!=0) res[4][0]=a39;
+  a39=(a12*a29);
+  a57=(a39*a57);
+  a29=(a29*a62);
+  a12=(a12*a75);
+  a29=(a29+a12);
+  a08=(a08*a29);
+  a57=(a57+a08);
+  if (res[5]!=0) res[5][0]=a57;
+  a57=(a09*a39);
+  a58=(a57*a58);
+  a39=(a39*a60);
+  a09=(a09*a29);
+  a39=(a39+a09);
+  a07=(a07*a39);
+  a58=(a58+a07);
+  a05=(a05*a58);
+  if (res[6]!=0) res[6][0]=a05;
+  a57=(a57*a56);
+  a06=(a06*a39);
+  a57=(a57+a06);
+  if (res[7]!=0) res[7][0]=a57;
+  a51=(a51*a73);
+  a23=(a23*a74);
+  a51=(a51+a23);
+  a64=(a64+a51);
+  a61=(a61*a54);
+  a02=(a02*a00);
+  a61=(a61+a02);
+  a64=(a64+a61);
+  a64=(2.*a64);
+  if (res[8]!=0) res[8][0]=a64;
+  if (res[9]!=0) res[9][0]=a75;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_modes(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_modes_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_linear_modes_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_linear_modes_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_linear_modes_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_linear_modes_n_in(void) { return 62;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_linear_modes_n_out(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_linear_modes_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_linear_modes_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    case 10: return "out_re_1";
+    case 11: return "out_im_1";
+    case 12: return "out_re_2";
+    case 13: return "out_im_2";
+    case 14: return "out_decay_rate";
+    case 15: return "out_natural_frequency";
+    case 16: return "out_damped_frequency";
+    case 17: return "out_damping_ratio";
+    case 18: return "adj_re_1";
+    case 19: return "adj_im_1";
+    case 20: return "adj_re_2";
+    case 21: return "adj_im_2";
+    case 22: return "adj_decay_rate";
+    case 23: return "adj_natural_frequency";
+    case 24: return "adj_damped_frequency";
+    case 25: return "adj_damping_ratio";
+    case 26: return "out_adj_m";
+    case 27: return "out_adj_Izz";
+    case 28: return "out_adj_a";
+    case 29: return "out_adj_b";
+    case 30: return "out_adj_u";
+    case 31: return "out_adj_rho";
+    case 32: return "out_adj_Ap";
+    case 33: return "out_adj_CL_gamma";
+    case 34: return "out_adj_C_alpha";
+    case 35: return "out_adj_Ct";
+    case 36: return "fwd_m";
+    case 37: return "fwd_Izz";
+    case 38: return "fwd_a";
+    case 39: return "fwd_b";
+    case 40: return "fwd_u";
+    case 41: return "fwd_rho";
+    case 42: return "fwd_Ap";
+    case 43: return "fwd_CL_gamma";
+    case 44: return "fwd_C_alpha";
+    case 45: return "fwd_Ct";
+    case 46: return "fwd_out_re_1";
+    case 47: return "fwd_out_im_1";
+    case 48: return "fwd_out_re_2";
+    case 49: return "fwd_out_im_2";
+    case 50: return "fwd_out_decay_rate";
+    case 51: return "fwd_out_natural_frequency";
+    case 52: return "fwd_out_damped_frequency";
+    case 53: return "fwd_out_damping_ratio";
+    case 54: return "fwd_adj_re_1";
+    case 55: return "fwd_adj_im_1";
+    case 56: return "fwd_adj_re_2";
+    case 57: return "fwd_adj_im_2";
+    case 58: return "fwd_adj_decay_rate";
+    case 59: return "fwd_adj_natural_frequency";
+    case 60: return "fwd_adj_damped_frequency";
+    case 61: return "fwd_adj_damping_ratio";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_linear_modes_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_m";
+    case 1: return "fwd_adj_Izz";
+    case 2: return "fwd_adj_a";
+    case 3: return "fwd_adj_b";
+    case 4: return "fwd_adj_u";
+    case 5: return "fwd_adj_rho";
+    case 6: return "fwd_adj_Ap";
+    case 7: return "fwd_adj_CL_gamma";
+    case 8: return "fwd_adj_C_alpha";
+    case 9: return "fwd_adj_Ct";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_linear_modes_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s1;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s0;
+    case 24: return casadi_s0;
+    case 25: return casadi_s0;
+    case 26: return casadi_s1;
+    case 27: return casadi_s1;
+    case 28: return casadi_s1;
+    case 29: return casadi_s1;
+    case 30: return casadi_s1;
+    case 31: return casadi_s1;
+    case 32: return casadi_s1;
+    case 33: return casadi_s1;
+    case 34: return casadi_s1;
+    case 35: return casadi_s1;
+    case 36: return casadi_s0;
+    case 37: return casadi_s0;
+    case 38: return casadi_s0;
+    case 39: return casadi_s0;
+    case 40: return casadi_s0;
+    case 41: return casadi_s0;
+    case 42: return casadi_s0;
+    case 43: return casadi_s0;
+    case 44: return casadi_s0;
+    case 45: return casadi_s0;
+    case 46: return casadi_s1;
+    case 47: return casadi_s1;
+    case 48: return casadi_s1;
+    case 49: return casadi_s1;
+    case 50: return casadi_s1;
+    case 51: return casadi_s1;
+    case 52: return casadi_s1;
+    case 53: return casadi_s1;
+    case 54: return casadi_s0;
+    case 55: return casadi_s0;
+    case 56: return casadi_s0;
+    case 57: return casadi_s0;
+    case 58: return casadi_s0;
+    case 59: return casadi_s0;
+    case 60: return casadi_s0;
+    case 61: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_linear_modes_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_modes_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 62;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_modes_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 62*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* times:(decay_rate)->(T_half,T_double) */
+static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=1.3862943611198906e+00;
   a1=arg[0]? arg[0][0] : 0;
@@ -3409,7 +4946,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int times(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f12(arg, res, iw, w, mem);
+  return casadi_f16(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int times_checkout(void) {
@@ -3482,7 +5019,7 @@ CASADI_SYMBOL_EXPORT int times_work_bytes(casadi_int *sz_arg, casadi_int* sz_res
 }
 
 /* fwd1_times:(decay_rate,out_T_half[1x1,0nz],out_T_double[1x1,0nz],fwd_decay_rate)->(fwd_T_half,fwd_T_double) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4;
   a0=1.3862943611198906e+00;
   a1=arg[0]? arg[0][0] : 0;
@@ -3511,7 +5048,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_times(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f17(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_times_checkout(void) {
@@ -3590,7 +5127,7 @@ CASADI_SYMBOL_EXPORT int fwd1_times_work_bytes(casadi_int *sz_arg, casadi_int* s
 }
 
 /* adj1_times:(decay_rate,out_T_half[1x1,0nz],out_T_double[1x1,0nz],adj_T_half,adj_T_double)->(adj_decay_rate) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=1.3862943611198906e+00;
   a1=arg[0]? arg[0][0] : 0;
@@ -3618,7 +5155,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_times(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f14(arg, res, iw, w, mem);
+  return casadi_f18(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_times_checkout(void) {
@@ -3697,7 +5234,7 @@ CASADI_SYMBOL_EXPORT int adj1_times_work_bytes(casadi_int *sz_arg, casadi_int* s
 }
 
 /* fwd1_adj1_times:(decay_rate,out_T_half[1x1,0nz],out_T_double[1x1,0nz],adj_T_half,adj_T_double,out_adj_decay_rate[1x1,0nz],fwd_decay_rate,fwd_out_T_half[1x1,0nz],fwd_out_T_double[1x1,0nz],fwd_adj_T_half,fwd_adj_T_double)->(fwd_adj_decay_rate) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
   a0=1.3862943611198906e+00;
   a1=arg[0]? arg[0][0] : 0;
@@ -3750,7 +5287,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_times(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_times_checkout(void) {
@@ -3841,7 +5378,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_times_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* speed_window:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct)->(u_low,u_high) */
-static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12;
   a00=1.4142135623730951e+00;
@@ -3905,7 +5442,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int speed_window(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int speed_window_checkout(void) {
@@ -3992,7 +5529,7 @@ CASADI_SYMBOL_EXPORT int speed_window_work_bytes(casadi_int *sz_arg, casadi_int*
 }
 
 /* fwd1_speed_window:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_u_low[1x1,0nz],out_u_high[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_u_low,fwd_u_high) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -4161,7 +5698,7 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_speed_window(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_speed_window_checkout(void) {
@@ -4268,7 +5805,7 @@ CASADI_SYMBOL_EXPORT int fwd1_speed_window_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* adj1_speed_window:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_u_low[1x1,0nz],out_u_high[1x1,0nz],adj_u_low,adj_u_high)->(adj_m,adj_a,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -4431,7 +5968,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_speed_window(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f18(arg, res, iw, w, mem);
+  return casadi_f22(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_speed_window_checkout(void) {
@@ -4538,7 +6075,7 @@ CASADI_SYMBOL_EXPORT int adj1_speed_window_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* fwd1_adj1_speed_window:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_u_low[1x1,0nz],out_u_high[1x1,0nz],adj_u_low,adj_u_high,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_u_low[1x1,0nz],fwd_out_u_high[1x1,0nz],fwd_adj_u_low,fwd_adj_u_high)->(fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -4974,7 +6511,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_speed_window(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f23(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_speed_window_checkout(void) {
@@ -5121,7 +6658,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_speed_window_work_bytes(casadi_int *sz_arg, c
 }
 
 /* weakest_speed:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct)->(u_weakest,det_weakest) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10;
   a00=arg[7]? arg[7][0] : 0;
   a01=(2.*a00);
@@ -5177,7 +6714,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int weakest_speed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int weakest_speed_checkout(void) {
@@ -5266,7 +6803,7 @@ CASADI_SYMBOL_EXPORT int weakest_speed_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* fwd1_weakest_speed:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_u_weakest[1x1,0nz],out_det_weakest[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_u_weakest,fwd_det_weakest) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25;
@@ -5420,7 +6957,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_weakest_speed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_weakest_speed_checkout(void) {
@@ -5531,7 +7068,7 @@ CASADI_SYMBOL_EXPORT int fwd1_weakest_speed_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* adj1_weakest_speed:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_u_weakest[1x1,0nz],out_det_weakest[1x1,0nz],adj_u_weakest,adj_det_weakest)->(adj_m,adj_Izz,adj_a,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33;
@@ -5677,7 +7214,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_weakest_speed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f22(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_weakest_speed_checkout(void) {
@@ -5788,7 +7325,7 @@ CASADI_SYMBOL_EXPORT int adj1_weakest_speed_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_adj1_weakest_speed:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_u_weakest[1x1,0nz],out_det_weakest[1x1,0nz],adj_u_weakest,adj_det_weakest,out_adj_m[1x1,0nz],out_adj_Izz[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_u_weakest[1x1,0nz],fwd_out_det_weakest[1x1,0nz],fwd_adj_u_weakest,fwd_adj_det_weakest)->(fwd_adj_m,fwd_adj_Izz,fwd_adj_a,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -6179,7 +7716,7 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_weakest_speed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f23(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_weakest_speed_checkout(void) {
@@ -6334,7 +7871,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_weakest_speed_work_bytes(casadi_int *sz_arg, 
 }
 
 /* stationary_decay:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct)->(e_0,e_1,e_2,e_3,e_4,u_trace) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16;
   a00=arg[7]? arg[7][0] : 0;
@@ -6447,7 +7984,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int stationary_decay(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f28(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int stationary_decay_checkout(void) {
@@ -6544,7 +8081,7 @@ CASADI_SYMBOL_EXPORT int stationary_decay_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* fwd1_stationary_decay:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_e_0[1x1,0nz],out_e_1[1x1,0nz],out_e_2[1x1,0nz],out_e_3[1x1,0nz],out_e_4[1x1,0nz],out_u_trace[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_e_0,fwd_e_1,fwd_e_2,fwd_e_3,fwd_e_4,fwd_u_trace) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -6844,7 +8381,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_stationary_decay(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f25(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_stationary_decay_checkout(void) {
@@ -6971,7 +8508,7 @@ CASADI_SYMBOL_EXPORT int fwd1_stationary_decay_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* adj1_stationary_decay:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_e_0[1x1,0nz],out_e_1[1x1,0nz],out_e_2[1x1,0nz],out_e_3[1x1,0nz],out_e_4[1x1,0nz],out_u_trace[1x1,0nz],adj_e_0,adj_e_1,adj_e_2,adj_e_3,adj_e_4,adj_u_trace)->(adj_m,adj_Izz,adj_a,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -7269,7 +8806,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_stationary_decay(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f26(arg, res, iw, w, mem);
+  return casadi_f30(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_stationary_decay_checkout(void) {
@@ -7396,7 +8933,7 @@ CASADI_SYMBOL_EXPORT int adj1_stationary_decay_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_adj1_stationary_decay:(m,Izz,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_e_0[1x1,0nz],out_e_1[1x1,0nz],out_e_2[1x1,0nz],out_e_3[1x1,0nz],out_e_4[1x1,0nz],out_u_trace[1x1,0nz],adj_e_0,adj_e_1,adj_e_2,adj_e_3,adj_e_4,adj_u_trace,out_adj_m[1x1,0nz],out_adj_Izz[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_e_0[1x1,0nz],fwd_out_e_1[1x1,0nz],fwd_out_e_2[1x1,0nz],fwd_out_e_3[1x1,0nz],fwd_out_e_4[1x1,0nz],fwd_out_u_trace[1x1,0nz],fwd_adj_e_0,fwd_adj_e_1,fwd_adj_e_2,fwd_adj_e_3,fwd_adj_e_4,fwd_adj_u_trace)->(fwd_adj_m,fwd_adj_Izz,fwd_adj_a,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -8209,7 +9746,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_stationary_decay(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f31(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_stationary_decay_checkout(void) {
@@ -8396,7 +9933,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_stationary_decay_work_bytes(casadi_int *sz_ar
 }
 
 /* steady_margins:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct)->(x_neutral,static_margin,K_us) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[7]? arg[7][0] : 0;
   a0=(2.*a0);
@@ -8435,7 +9972,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int steady_margins(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int steady_margins_checkout(void) {
@@ -8526,7 +10063,7 @@ CASADI_SYMBOL_EXPORT int steady_margins_work_bytes(casadi_int *sz_arg, casadi_in
 }
 
 /* fwd1_steady_margins:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_x_neutral[1x1,0nz],out_static_margin[1x1,0nz],out_K_us[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_x_neutral,fwd_static_margin,fwd_K_us) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13;
   a00=arg[1]? arg[1][0] : 0;
@@ -8619,7 +10156,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_steady_margins(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f33(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_steady_margins_checkout(void) {
@@ -8734,7 +10271,7 @@ CASADI_SYMBOL_EXPORT int fwd1_steady_margins_work_bytes(casadi_int *sz_arg, casa
 }
 
 /* adj1_steady_margins:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_x_neutral[1x1,0nz],out_static_margin[1x1,0nz],out_K_us[1x1,0nz],adj_x_neutral,adj_static_margin,adj_K_us)->(adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
   a00=arg[7]? arg[7][0] : 0;
@@ -8820,7 +10357,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_steady_margins(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f30(arg, res, iw, w, mem);
+  return casadi_f34(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_steady_margins_checkout(void) {
@@ -8935,7 +10472,7 @@ CASADI_SYMBOL_EXPORT int adj1_steady_margins_work_bytes(casadi_int *sz_arg, casa
 }
 
 /* fwd1_adj1_steady_margins:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_x_neutral[1x1,0nz],out_static_margin[1x1,0nz],out_K_us[1x1,0nz],adj_x_neutral,adj_static_margin,adj_K_us,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_x_neutral[1x1,0nz],fwd_out_static_margin[1x1,0nz],fwd_out_K_us[1x1,0nz],fwd_adj_x_neutral,fwd_adj_static_margin,fwd_adj_K_us)->(fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -9157,7 +10694,7 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_steady_margins(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f31(arg, res, iw, w, mem);
+  return casadi_f35(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_steady_margins_checkout(void) {
@@ -9320,7 +10857,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_steady_margins_work_bytes(casadi_int *sz_arg,
 }
 
 /* tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha)->(Ct_needed) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=arg[7]? arg[7][0] : 0;
   a1=(2.*a0);
@@ -9360,7 +10897,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int tail_wheel_needed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f36(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int tail_wheel_needed_checkout(void) {
@@ -9445,7 +10982,7 @@ CASADI_SYMBOL_EXPORT int tail_wheel_needed_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* fwd1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,out_Ct_needed[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha)->(fwd_Ct_needed) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18;
   a00=arg[0]? arg[0][0] : 0;
@@ -9544,7 +11081,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_needed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f33(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_needed_checkout(void) {
@@ -9647,7 +11184,7 @@ CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_needed_work_bytes(casadi_int *sz_arg, c
 }
 
 /* adj1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,out_Ct_needed[1x1,0nz],adj_Ct_needed)->(adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18;
   a00=arg[3]? arg[3][0] : 0;
@@ -9743,7 +11280,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_tail_wheel_needed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f34(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_tail_wheel_needed_checkout(void) {
@@ -9846,7 +11383,7 @@ CASADI_SYMBOL_EXPORT int adj1_tail_wheel_needed_work_bytes(casadi_int *sz_arg, c
 }
 
 /* fwd1_adj1_tail_wheel_needed:(m,a,b,u,rho,Ap,CL_gamma,C_alpha,out_Ct_needed[1x1,0nz],adj_Ct_needed,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_out_Ct_needed[1x1,0nz],fwd_adj_Ct_needed)->(fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -10079,7 +11616,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_needed(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f35(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_needed_checkout(void) {
@@ -10218,7 +11755,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_needed_work_bytes(casadi_int *sz_a
 }
 
 /* tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct)->(Ct_always,speed_margin) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=0.;
   a1=arg[6]? arg[6][0] : 0;
@@ -10261,7 +11798,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f40(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int tail_wheel_always_checkout(void) {
@@ -10348,7 +11885,7 @@ CASADI_SYMBOL_EXPORT int tail_wheel_always_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* fwd1_tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_Ct_always,fwd_speed_margin) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21;
   a00=0.;
@@ -10460,7 +11997,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f41(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_always_checkout(void) {
@@ -10567,7 +12104,7 @@ CASADI_SYMBOL_EXPORT int fwd1_tail_wheel_always_work_bytes(casadi_int *sz_arg, c
 }
 
 /* adj1_tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],adj_Ct_always,adj_speed_margin)->(adj_m,adj_a,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24;
@@ -10679,7 +12216,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f38(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_tail_wheel_always_checkout(void) {
@@ -10786,7 +12323,7 @@ CASADI_SYMBOL_EXPORT int adj1_tail_wheel_always_work_bytes(casadi_int *sz_arg, c
 }
 
 /* fwd1_adj1_tail_wheel_always:(m,a,b,rho,Ap,CL_gamma,C_alpha,Ct,out_Ct_always[1x1,0nz],out_speed_margin[1x1,0nz],adj_Ct_always,adj_speed_margin,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_a,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_Ct_always[1x1,0nz],fwd_out_speed_margin[1x1,0nz],fwd_adj_Ct_always,fwd_adj_speed_margin)->(fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -11079,7 +12616,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_always(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f43(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_always_checkout(void) {
@@ -11226,7 +12763,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_tail_wheel_always_work_bytes(casadi_int *sz_a
 }
 
 /* gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct)->(a_lost,a_regained) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[7]? arg[7][0] : 0;
   a1=5.0000000000000000e-01;
@@ -11276,7 +12813,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f44(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int gear_position_checkout(void) {
@@ -11363,7 +12900,7 @@ CASADI_SYMBOL_EXPORT int gear_position_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* fwd1_gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_a_lost[1x1,0nz],out_a_regained[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_a_lost,fwd_a_regained) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22;
   a00=arg[6]? arg[6][0] : 0;
@@ -11486,7 +13023,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f45(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position_checkout(void) {
@@ -11593,7 +13130,7 @@ CASADI_SYMBOL_EXPORT int fwd1_gear_position_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* adj1_gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_a_lost[1x1,0nz],out_a_regained[1x1,0nz],adj_a_lost,adj_a_regained)->(adj_m,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30;
@@ -11711,7 +13248,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f46(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position_checkout(void) {
@@ -11818,7 +13355,7 @@ CASADI_SYMBOL_EXPORT int adj1_gear_position_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_adj1_gear_position:(m,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_a_lost[1x1,0nz],out_a_regained[1x1,0nz],adj_a_lost,adj_a_regained,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_a_lost[1x1,0nz],fwd_out_a_regained[1x1,0nz],fwd_adj_a_lost,fwd_adj_a_regained)->(fwd_adj_m,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -12119,7 +13656,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f43(arg, res, iw, w, mem);
+  return casadi_f47(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_checkout(void) {
@@ -12266,7 +13803,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_work_bytes(casadi_int *sz_arg, 
 }
 
 /* gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct)->(a_always,u_touch) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[5]? arg[5][0] : 0;
@@ -12315,7 +13852,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f44(arg, res, iw, w, mem);
+  return casadi_f48(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int gear_position_envelope_checkout(void) {
@@ -12400,7 +13937,7 @@ CASADI_SYMBOL_EXPORT int gear_position_envelope_work_bytes(casadi_int *sz_arg, c
 }
 
 /* fwd1_gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct,out_a_always[1x1,0nz],out_u_touch[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_a_always,fwd_u_touch) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24;
@@ -12529,7 +14066,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f49(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_gear_position_envelope_checkout(void) {
@@ -12632,7 +14169,7 @@ CASADI_SYMBOL_EXPORT int fwd1_gear_position_envelope_work_bytes(casadi_int *sz_a
 }
 
 /* adj1_gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct,out_a_always[1x1,0nz],out_u_touch[1x1,0nz],adj_a_always,adj_u_touch)->(adj_m,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28;
@@ -12758,7 +14295,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_gear_position_envelope_checkout(void) {
@@ -12861,7 +14398,7 @@ CASADI_SYMBOL_EXPORT int adj1_gear_position_envelope_work_bytes(casadi_int *sz_a
 }
 
 /* fwd1_adj1_gear_position_envelope:(m,b,rho,Ap,CL_gamma,C_alpha,Ct,out_a_always[1x1,0nz],out_u_touch[1x1,0nz],adj_a_always,adj_u_touch,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_a_always[1x1,0nz],fwd_out_u_touch[1x1,0nz],fwd_adj_a_always,fwd_adj_u_touch)->(fwd_adj_m,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -13223,7 +14760,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_envelope_checkout(void) {
@@ -13362,7 +14899,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_gear_position_envelope_work_bytes(casadi_int 
 }
 
 /* loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4)->(p_0,p_1,p_2,p_3,p_4,p_5) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13;
   a00=arg[1]? arg[1][0] : 0;
@@ -13528,7 +15065,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f48(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_position_checkout(void) {
@@ -13633,7 +15170,7 @@ CASADI_SYMBOL_EXPORT int loaded_gear_position_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_p_0[1x1,0nz],out_p_1[1x1,0nz],out_p_2[1x1,0nz],out_p_3[1x1,0nz],out_p_4[1x1,0nz],out_p_5[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4)->(fwd_p_0,fwd_p_1,fwd_p_2,fwd_p_3,fwd_p_4,fwd_p_5) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27;
@@ -14105,7 +15642,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f49(arg, res, iw, w, mem);
+  return casadi_f53(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_position_checkout(void) {
@@ -14248,7 +15785,7 @@ CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_position_work_bytes(casadi_int *sz_arg
 }
 
 /* adj1_loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_p_0[1x1,0nz],out_p_1[1x1,0nz],out_p_2[1x1,0nz],out_p_3[1x1,0nz],out_p_4[1x1,0nz],out_p_5[1x1,0nz],adj_p_0,adj_p_1,adj_p_2,adj_p_3,adj_p_4,adj_p_5)->(adj_m,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_B3,adj_C3,adj_g,adj_K1,adj_K2,adj_K3,adj_K4) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14719,7 +16256,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f54(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_position_checkout(void) {
@@ -14862,7 +16399,7 @@ CASADI_SYMBOL_EXPORT int adj1_loaded_gear_position_work_bytes(casadi_int *sz_arg
 }
 
 /* fwd1_adj1_loaded_gear_position:(m,b,u,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_p_0[1x1,0nz],out_p_1[1x1,0nz],out_p_2[1x1,0nz],out_p_3[1x1,0nz],out_p_4[1x1,0nz],out_p_5[1x1,0nz],adj_p_0,adj_p_1,adj_p_2,adj_p_3,adj_p_4,adj_p_5,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_g[1x1,0nz],out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],fwd_m,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_out_p_0[1x1,0nz],fwd_out_p_1[1x1,0nz],fwd_out_p_2[1x1,0nz],fwd_out_p_3[1x1,0nz],fwd_out_p_4[1x1,0nz],fwd_out_p_5[1x1,0nz],fwd_adj_p_0,fwd_adj_p_1,fwd_adj_p_2,fwd_adj_p_3,fwd_adj_p_4,fwd_adj_p_5)->(fwd_adj_m,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_B3,fwd_adj_C3,fwd_adj_g,fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -16104,7 +17641,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_position(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f55(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_position_checkout(void) {
@@ -16323,7 +17860,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_position_work_bytes(casadi_int *s
 }
 
 /* loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4)->(g_0,g_1,g_2,g_3,g_4,g_5,g_6,g_7,g_8,g_9,g_10) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
   a00=arg[1]? arg[1][0] : 0;
@@ -16548,7 +18085,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int loaded_gear_envelope_checkout(void) {
@@ -16661,7 +18198,7 @@ CASADI_SYMBOL_EXPORT int loaded_gear_envelope_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_g_0[1x1,0nz],out_g_1[1x1,0nz],out_g_2[1x1,0nz],out_g_3[1x1,0nz],out_g_4[1x1,0nz],out_g_5[1x1,0nz],out_g_6[1x1,0nz],out_g_7[1x1,0nz],out_g_8[1x1,0nz],out_g_9[1x1,0nz],out_g_10[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4)->(fwd_g_0,fwd_g_1,fwd_g_2,fwd_g_3,fwd_g_4,fwd_g_5,fwd_g_6,fwd_g_7,fwd_g_8,fwd_g_9,fwd_g_10) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -17243,7 +18780,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f53(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_envelope_checkout(void) {
@@ -17402,7 +18939,7 @@ CASADI_SYMBOL_EXPORT int fwd1_loaded_gear_envelope_work_bytes(casadi_int *sz_arg
 }
 
 /* adj1_loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_g_0[1x1,0nz],out_g_1[1x1,0nz],out_g_2[1x1,0nz],out_g_3[1x1,0nz],out_g_4[1x1,0nz],out_g_5[1x1,0nz],out_g_6[1x1,0nz],out_g_7[1x1,0nz],out_g_8[1x1,0nz],out_g_9[1x1,0nz],out_g_10[1x1,0nz],adj_g_0,adj_g_1,adj_g_2,adj_g_3,adj_g_4,adj_g_5,adj_g_6,adj_g_7,adj_g_8,adj_g_9,adj_g_10)->(adj_m,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_B3,adj_C3,adj_g,adj_K1,adj_K2,adj_K3,adj_K4) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -17988,7 +19525,7 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f54(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_loaded_gear_envelope_checkout(void) {
@@ -18147,7 +19684,7 @@ CASADI_SYMBOL_EXPORT int adj1_loaded_gear_envelope_work_bytes(casadi_int *sz_arg
 }
 
 /* fwd1_adj1_loaded_gear_envelope:(m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_g_0[1x1,0nz],out_g_1[1x1,0nz],out_g_2[1x1,0nz],out_g_3[1x1,0nz],out_g_4[1x1,0nz],out_g_5[1x1,0nz],out_g_6[1x1,0nz],out_g_7[1x1,0nz],out_g_8[1x1,0nz],out_g_9[1x1,0nz],out_g_10[1x1,0nz],adj_g_0,adj_g_1,adj_g_2,adj_g_3,adj_g_4,adj_g_5,adj_g_6,adj_g_7,adj_g_8,adj_g_9,adj_g_10,out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_g[1x1,0nz],out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_out_g_0[1x1,0nz],fwd_out_g_1[1x1,0nz],fwd_out_g_2[1x1,0nz],fwd_out_g_3[1x1,0nz],fwd_out_g_4[1x1,0nz],fwd_out_g_5[1x1,0nz],fwd_out_g_6[1x1,0nz],fwd_out_g_7[1x1,0nz],fwd_out_g_8[1x1,0nz],fwd_out_g_9[1x1,0nz],fwd_out_g_10[1x1,0nz],fwd_adj_g_0,fwd_adj_g_1,fwd_adj_g_2,fwd_adj_g_3,fwd_adj_g_4,fwd_adj_g_5,fwd_adj_g_6,fwd_adj_g_7,fwd_adj_g_8,fwd_adj_g_9,fwd_adj_g_10)->(fwd_adj_m,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_B3,fwd_adj_C3,fwd_adj_g,fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -19694,7 +21231,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_envelope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f59(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_envelope_checkout(void) {
@@ -19945,7 +21482,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_loaded_gear_envelope_work_bytes(casadi_int *s
 }
 
 /* at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4)->(a_loaded,u_touch) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   a00=arg[2]? arg[2][0] : 0;
   a01=arg[0]? arg[0][0] : 0;
@@ -20050,7 +21587,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f60(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int at_tail_load_checkout(void) {
@@ -20147,7 +21684,7 @@ CASADI_SYMBOL_EXPORT int at_tail_load_work_bytes(casadi_int *sz_arg, casadi_int*
 }
 
 /* fwd1_at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_a_loaded[1x1,0nz],out_u_touch[1x1,0nz],fwd_tail_fraction,fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4)->(fwd_a_loaded,fwd_u_touch) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27;
@@ -20435,7 +21972,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f61(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_at_tail_load_checkout(void) {
@@ -20562,7 +22099,7 @@ CASADI_SYMBOL_EXPORT int fwd1_at_tail_load_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* adj1_at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_a_loaded[1x1,0nz],out_u_touch[1x1,0nz],adj_a_loaded,adj_u_touch)->(adj_tail_fraction,adj_m,adj_b,adj_rho,adj_Ap,adj_CL_gamma,adj_B3,adj_C3,adj_g,adj_K1,adj_K2,adj_K3,adj_K4) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -20846,7 +22383,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f58(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_at_tail_load_checkout(void) {
@@ -20973,7 +22510,7 @@ CASADI_SYMBOL_EXPORT int adj1_at_tail_load_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* fwd1_adj1_at_tail_load:(tail_fraction,m,b,rho,Ap,CL_gamma,B3,C3,g,K1,K2,K3,K4,out_a_loaded[1x1,0nz],out_u_touch[1x1,0nz],adj_a_loaded,adj_u_touch,out_adj_tail_fraction[1x1,0nz],out_adj_m[1x1,0nz],out_adj_b[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_g[1x1,0nz],out_adj_K1[1x1,0nz],out_adj_K2[1x1,0nz],out_adj_K3[1x1,0nz],out_adj_K4[1x1,0nz],fwd_tail_fraction,fwd_m,fwd_b,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_B3,fwd_C3,fwd_g,fwd_K1,fwd_K2,fwd_K3,fwd_K4,fwd_out_a_loaded[1x1,0nz],fwd_out_u_touch[1x1,0nz],fwd_adj_a_loaded,fwd_adj_u_touch)->(fwd_adj_tail_fraction,fwd_adj_m,fwd_adj_b,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_B3,fwd_adj_C3,fwd_adj_g,fwd_adj_K1,fwd_adj_K2,fwd_adj_K3,fwd_adj_K4) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -21705,7 +23242,7 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f59(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load_checkout(void) {
@@ -21892,7 +23429,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load_work_bytes(casadi_int *sz_arg, c
 }
 
 /* linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct)->(sum_M,d_sum_M_d_alpha,d_M_gear_d_alpha,v,r) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   a00=arg[4]? arg[4][0] : 0;
   a01=arg[9]? arg[9][0] : 0;
@@ -21960,7 +23497,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int linear_equilibrium_checkout(void) {
@@ -22059,7 +23596,7 @@ CASADI_SYMBOL_EXPORT int linear_equilibrium_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct)->(fwd_sum_M,fwd_d_sum_M_d_alpha,fwd_d_M_gear_d_alpha,fwd_v,fwd_r) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27;
@@ -22236,7 +23773,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_linear_equilibrium_checkout(void) {
@@ -22367,7 +23904,7 @@ CASADI_SYMBOL_EXPORT int fwd1_linear_equilibrium_work_bytes(casadi_int *sz_arg, 
 }
 
 /* adj1_linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r)->(adj_alpha,adj_F_disturbance,adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -22540,7 +24077,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_linear_equilibrium_checkout(void) {
@@ -22671,7 +24208,7 @@ CASADI_SYMBOL_EXPORT int adj1_linear_equilibrium_work_bytes(casadi_int *sz_arg, 
 }
 
 /* fwd1_adj1_linear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r,out_adj_alpha[1x1,0nz],out_adj_F_disturbance[1x1,0nz],out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_out_sum_M[1x1,0nz],fwd_out_d_sum_M_d_alpha[1x1,0nz],fwd_out_d_M_gear_d_alpha[1x1,0nz],fwd_out_v[1x1,0nz],fwd_out_r[1x1,0nz],fwd_adj_sum_M,fwd_adj_d_sum_M_d_alpha,fwd_adj_d_M_gear_d_alpha,fwd_adj_v,fwd_adj_r)->(fwd_adj_alpha,fwd_adj_F_disturbance,fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -23127,7 +24664,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_equilibrium_checkout(void) {
@@ -23322,7 +24859,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_linear_equilibrium_work_bytes(casadi_int *sz_
 }
 
 /* nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1)->(sum_M,d_sum_M_d_alpha,d_M_gear_d_alpha,v,r) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   a00=arg[4]? arg[4][0] : 0;
@@ -23454,7 +24991,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f64(arg, res, iw, w, mem);
+  return casadi_f68(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int nonlinear_equilibrium_checkout(void) {
@@ -23569,7 +25106,7 @@ CASADI_SYMBOL_EXPORT int nonlinear_equilibrium_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_Ct,fwd_Fz,fwd_B3,fwd_C3,fwd_B5,fwd_C5,fwd_B1,fwd_C1,fwd_D1,fwd_E1)->(fwd_sum_M,fwd_d_sum_M_d_alpha,fwd_d_M_gear_d_alpha,fwd_v,fwd_r) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -23955,7 +25492,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f65(arg, res, iw, w, mem);
+  return casadi_f69(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_nonlinear_equilibrium_checkout(void) {
@@ -24118,7 +25655,7 @@ CASADI_SYMBOL_EXPORT int fwd1_nonlinear_equilibrium_work_bytes(casadi_int *sz_ar
 }
 
 /* adj1_nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r)->(adj_alpha,adj_F_disturbance,adj_m,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_Ct,adj_Fz,adj_B3,adj_C3,adj_B5,adj_C5,adj_B1,adj_C1,adj_D1,adj_E1) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -24493,7 +26030,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f66(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_nonlinear_equilibrium_checkout(void) {
@@ -24656,7 +26193,7 @@ CASADI_SYMBOL_EXPORT int adj1_nonlinear_equilibrium_work_bytes(casadi_int *sz_ar
 }
 
 /* fwd1_adj1_nonlinear_equilibrium:(alpha,F_disturbance,m,a,b,u,rho,Ap,CL_gamma,Ct,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_sum_M[1x1,0nz],out_d_sum_M_d_alpha[1x1,0nz],out_d_M_gear_d_alpha[1x1,0nz],out_v[1x1,0nz],out_r[1x1,0nz],adj_sum_M,adj_d_sum_M_d_alpha,adj_d_M_gear_d_alpha,adj_v,adj_r,out_adj_alpha[1x1,0nz],out_adj_F_disturbance[1x1,0nz],out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_Ct[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_B5[1x1,0nz],out_adj_C5[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],out_adj_E1[1x1,0nz],fwd_alpha,fwd_F_disturbance,fwd_m,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_Ct,fwd_Fz,fwd_B3,fwd_C3,fwd_B5,fwd_C5,fwd_B1,fwd_C1,fwd_D1,fwd_E1,fwd_out_sum_M[1x1,0nz],fwd_out_d_sum_M_d_alpha[1x1,0nz],fwd_out_d_M_gear_d_alpha[1x1,0nz],fwd_out_v[1x1,0nz],fwd_out_r[1x1,0nz],fwd_adj_sum_M,fwd_adj_d_sum_M_d_alpha,fwd_adj_d_M_gear_d_alpha,fwd_adj_v,fwd_adj_r)->(fwd_adj_alpha,fwd_adj_F_disturbance,fwd_adj_m,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_Ct,fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3,fwd_adj_B5,fwd_adj_C5,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1,fwd_adj_E1) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -25756,7 +27293,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_nonlinear_equilibrium(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f67(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_nonlinear_equilibrium_checkout(void) {

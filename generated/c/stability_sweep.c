@@ -1,5 +1,6 @@
-/* Generated from derive/ (digest b105a0664991d99c) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
-/* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0. */
+/* Generated from derive/ (digest 843cb7aa8bf8165b) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0, and
+ * y[k] a column, or NULL if it is not wanted. */
 #include <math.h>
 #include <stdint.h>
 
@@ -17,11 +18,11 @@ static void sweep_block(block_function *f, int n_in, int n_out, int64_t from, in
     double (*same)[POINTS], const double *const *p, const int64_t *stride, double *const *y)
 {
     const double *columns[MOST];
-    double *results[MOST];
+    double *results[MOST], unwanted[POINTS];
     for (int k = 0; k < n_in; ++k)
         columns[k] = stride[k] ? p[k] + from : same[k];
     for (int k = 0; k < n_out; ++k)
-        results[k] = y[k] + from;
+        results[k] = y[k] ? y[k] + from : unwanted;
     f(n, columns, results);
 }
 
@@ -42,7 +43,7 @@ static void sweep(block_function *f, int n_in, int n_out, int64_t n, int64_t thr
         sweep_block(f, n_in, n_out, from, n - from < POINTS ? n - from : POINTS, same, p, stride, y);
 }
 
-static void state_matrix_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, double *restrict y0, double *restrict y1, double *restrict y2, double *restrict y3)
+static void state_matrix_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, double *y0, double *y1, double *y2, double *y3)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -104,7 +105,7 @@ SHOWN void sweep_state_matrix(int64_t n, int64_t threads, const double *const *p
     sweep(state_matrix_any, 10, 4, n, threads, p, stride, y);
 }
 
-static void routh_hurwitz_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, double *restrict y0, double *restrict y1, double *restrict y2)
+static void routh_hurwitz_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, double *y0, double *y1, double *y2)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -174,7 +175,7 @@ SHOWN void sweep_routh_hurwitz(int64_t n, int64_t threads, const double *const *
     sweep(routh_hurwitz_any, 10, 3, n, threads, p, stride, y);
 }
 
-static void modes_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, double *restrict y0, double *restrict y1, double *restrict y2, double *restrict y3, double *restrict y4, double *restrict y5, double *restrict y6, double *restrict y7)
+static void modes_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5, double *y6, double *y7)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -233,7 +234,99 @@ SHOWN void sweep_modes(int64_t n, int64_t threads, const double *const *p,
     sweep(modes_any, 4, 8, n, threads, p, stride, y);
 }
 
-static void times_block(int64_t n, const double *restrict p0, double *restrict y0, double *restrict y1)
+static void linear_modes_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5, double *y6, double *y7)
+{
+    _Pragma("omp simd")
+    for (int64_t i = 0; i < n; ++i) {
+        const double w0 = 0.5;
+        const double w1 = 0.0;
+        const double w2 = 4.0;
+        const double w3 = p8[i];
+        const double w4 = 2.0 * w3;
+        const double w5 = p2[i];
+        const double w6 = w4 * w5;
+        const double w7 = p9[i];
+        const double w8 = p6[i];
+        const double w9 = w0 * w8;
+        const double w10 = p7[i];
+        const double w11 = w9 * w10;
+        const double w12 = p5[i];
+        const double w13 = w11 * w12;
+        const double w14 = p4[i];
+        const double w15 = w14 * w14;
+        const double w16 = w13 * w15;
+        const double w17 = w7 + w16;
+        const double w18 = p3[i];
+        const double w19 = w17 * w18;
+        const double w20 = w6 - w19;
+        const double w21 = p1[i];
+        const double w22 = w21 * w14;
+        const double w23 = w20 / w22;
+        const double w24 = w2 * w23;
+        const double w25 = p0[i];
+        const double w26 = w14 * w14;
+        const double w27 = w25 * w26;
+        const double w28 = w27 + w20;
+        const double w29 = w25 * w14;
+        const double w30 = w28 / w29;
+        const double w31 = w24 * w30;
+        const double w32 = w5 * w5;
+        const double w33 = w4 * w32;
+        const double w34 = w18 * w18;
+        const double w35 = w17 * w34;
+        const double w36 = w33 + w35;
+        const double w37 = w36 / w22;
+        const double w38 = w4 + w17;
+        const double w39 = w38 / w29;
+        const double w40 = w37 - w39;
+        const double w41 = w40 * w40;
+        const double w42 = w31 + w41;
+        const double w43 = larger(w1, w42);
+        const double w44 = sqrt(w43);
+        const double w45 = w0 * w44;
+        const double w46 = w37 + w39;
+        const double w47 = w0 * w46;
+        const double w48 = w45 - w47;
+        y0[i] = w48;
+        const double w50 = -w42;
+        const double w51 = larger(w1, w50);
+        const double w52 = sqrt(w51);
+        const double w53 = w0 * w52;
+        y1[i] = w53;
+        const double w55 = w0 * w46;
+        const double w56 = w45 + w55;
+        const double w57 = -w56;
+        y2[i] = w57;
+        const double w59 = -w53;
+        y3[i] = w59;
+        const double w61 = -w48;
+        y4[i] = w61;
+        const double w63 = w37 * w39;
+        const double w64 = w23 * w30;
+        const double w65 = w63 - w64;
+        const double w66 = sqrt(w65);
+        y5[i] = w66;
+        y6[i] = w53;
+        const double w69 = -0.5;
+        const double w70 = w69 * w46;
+        const double w71 = w70 / w66;
+        const double w72 = -w71;
+        y7[i] = w72;
+    }
+}
+
+static void linear_modes_any(int64_t n, const double **p, double **y)
+{
+    linear_modes_block(n, p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7]);
+}
+
+SHOWN void sweep_linear_modes(int64_t n, int64_t threads, const double *const *p,
+    const int64_t *stride, double *const *y)
+{
+    sweep(linear_modes_any, 10, 8, n, threads, p, stride, y);
+}
+
+static void times_block(int64_t n, const double *restrict p0, double *y0, double *y1)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -261,7 +354,7 @@ SHOWN void sweep_times(int64_t n, int64_t threads, const double *const *p,
     sweep(times_any, 1, 2, n, threads, p, stride, y);
 }
 
-static void speed_window_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *restrict y0, double *restrict y1)
+static void speed_window_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *y0, double *y1)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -336,7 +429,7 @@ SHOWN void sweep_speed_window(int64_t n, int64_t threads, const double *const *p
     sweep(speed_window_any, 8, 2, n, threads, p, stride, y);
 }
 
-static void weakest_speed_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, double *restrict y0, double *restrict y1)
+static void weakest_speed_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, double *y0, double *y1)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -404,7 +497,7 @@ SHOWN void sweep_weakest_speed(int64_t n, int64_t threads, const double *const *
     sweep(weakest_speed_any, 9, 2, n, threads, p, stride, y);
 }
 
-static void stationary_decay_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, double *restrict y0, double *restrict y1, double *restrict y2, double *restrict y3, double *restrict y4, double *restrict y5)
+static void stationary_decay_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -528,7 +621,7 @@ SHOWN void sweep_stationary_decay(int64_t n, int64_t threads, const double *cons
     sweep(stationary_decay_any, 9, 6, n, threads, p, stride, y);
 }
 
-static void steady_margins_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, double *restrict y0, double *restrict y1, double *restrict y2)
+static void steady_margins_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, double *y0, double *y1, double *y2)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -579,7 +672,7 @@ SHOWN void sweep_steady_margins(int64_t n, int64_t threads, const double *const 
     sweep(steady_margins_any, 9, 3, n, threads, p, stride, y);
 }
 
-static void tail_wheel_needed_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *restrict y0)
+static void tail_wheel_needed_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *y0)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -631,7 +724,7 @@ SHOWN void sweep_tail_wheel_needed(int64_t n, int64_t threads, const double *con
     sweep(tail_wheel_needed_any, 8, 1, n, threads, p, stride, y);
 }
 
-static void tail_wheel_always_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *restrict y0, double *restrict y1)
+static void tail_wheel_always_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *y0, double *y1)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -686,7 +779,7 @@ SHOWN void sweep_tail_wheel_always(int64_t n, int64_t threads, const double *con
     sweep(tail_wheel_always_any, 8, 2, n, threads, p, stride, y);
 }
 
-static void gear_position_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *restrict y0, double *restrict y1)
+static void gear_position_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, double *y0, double *y1)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -748,7 +841,7 @@ SHOWN void sweep_gear_position(int64_t n, int64_t threads, const double *const *
     sweep(gear_position_any, 8, 2, n, threads, p, stride, y);
 }
 
-static void gear_position_envelope_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, double *restrict y0, double *restrict y1)
+static void gear_position_envelope_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, double *y0, double *y1)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -809,7 +902,7 @@ SHOWN void sweep_gear_position_envelope(int64_t n, int64_t threads, const double
     sweep(gear_position_envelope_any, 7, 2, n, threads, p, stride, y);
 }
 
-static void loaded_gear_position_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, const double *restrict p11, const double *restrict p12, double *restrict y0, double *restrict y1, double *restrict y2, double *restrict y3, double *restrict y4, double *restrict y5)
+static void loaded_gear_position_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, const double *restrict p11, const double *restrict p12, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -986,7 +1079,7 @@ SHOWN void sweep_loaded_gear_position(int64_t n, int64_t threads, const double *
     sweep(loaded_gear_position_any, 13, 6, n, threads, p, stride, y);
 }
 
-static void loaded_gear_envelope_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, const double *restrict p11, double *restrict y0, double *restrict y1, double *restrict y2, double *restrict y3, double *restrict y4, double *restrict y5, double *restrict y6, double *restrict y7, double *restrict y8, double *restrict y9, double *restrict y10)
+static void loaded_gear_envelope_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, const double *restrict p11, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5, double *y6, double *y7, double *y8, double *y9, double *y10)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -1222,7 +1315,7 @@ SHOWN void sweep_loaded_gear_envelope(int64_t n, int64_t threads, const double *
     sweep(loaded_gear_envelope_any, 12, 11, n, threads, p, stride, y);
 }
 
-static void at_tail_load_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, const double *restrict p11, const double *restrict p12, double *restrict y0, double *restrict y1)
+static void at_tail_load_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, const double *restrict p11, const double *restrict p12, double *y0, double *y1)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
@@ -1339,7 +1432,7 @@ SHOWN void sweep_at_tail_load(int64_t n, int64_t threads, const double *const *p
     sweep(at_tail_load_any, 13, 2, n, threads, p, stride, y);
 }
 
-static void linear_equilibrium_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, double *restrict y0, double *restrict y1, double *restrict y2, double *restrict y3, double *restrict y4)
+static void linear_equilibrium_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, double *y0, double *y1, double *y2, double *y3, double *y4)
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {

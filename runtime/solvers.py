@@ -1,0 +1,96 @@
+"""One trajectory, again and again: arrays in, arrays out, in tens of microseconds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from .arrays import FloatArray, finite
+from .ensemble_plan import check_tolerance, smallest_kernel
+from .errors import GroundloopError
+from .generated import kernels
+from .generated.kernels import Task
+from .generated.names import KERNELS, MODELS
+from .names import signature, symbol
+from .vm_ensemble import integrate_in_vm
+
+Solver = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
+
+
+def solver(
+    tire: str = "nonlinear",
+    t: Any = 5.0,
+    *,
+    names: Iterable[str] = ("v", "r", "y", "theta"),
+    tol: float = 1e-6,
+) -> Solver:
+    """A function (x0, u, p) -> states over time, for loops in Python that call it often.
+
+    `groundloop.simulate` checks and names everything; this does the same integration by the
+    ensembles' kernel with nothing around it. Arguments are not checked.
+
+    Parameters
+    ----------
+    tire : str
+        ``"linear"`` or ``"nonlinear"``.
+    t : float or sequence of float
+        Increasing output times, s, from 0 on; the last ends the integration.
+    names : iterable of str
+        States (and outputs) that are wanted, one row each.
+    tol : float
+        As for `groundloop.ensemble`.
+
+    Returns
+    -------
+    callable
+        x0, u, p : initial states, inputs and parameters in the order of
+        ``generated.MODELS[tire]``; returns an array of shape (names, times), NaN where the
+        motion grows without bound. One thread at a time may call it.
+
+    Raises
+    ------
+    GroundloopError
+        For unknown names, times that do not increase, or `tol` outside what is offered.
+    """
+    model = signature(tire)
+    times = np.atleast_1d(finite("t", t))
+    if times.ndim != 1 or times[0] < 0 or times[-1] <= 0 or (np.diff(times) <= 0).any():
+        raise GroundloopError("t must be a positive number or increasing times from 0 on")
+    allowed = (*model.states, *model.outputs)
+    wanted = tuple(dict.fromkeys(symbol(n, "name", allowed, "names") for n in names))
+    tolerance = check_tolerance(tol)
+    kernel = smallest_kernel(tire, wanted)
+    if kernels.can_compile(kernel):
+        return kernels.Stepper(kernel, times, tolerance, wanted)
+    return partial(_solve_in_vm, kernel, times, tolerance, wanted)
+
+
+def _solve_in_vm(
+    kernel: str,
+    times: FloatArray,
+    tol: float,
+    names: tuple[str, ...],
+    x0: FloatArray,
+    u: FloatArray,
+    p: FloatArray,
+) -> FloatArray:
+    states = MODELS[KERNELS[kernel].model].states
+    start = (x0[states.index(s)] for s in KERNELS[kernel].states)
+    task = Task(
+        kernel=kernel,
+        x0=tuple(map(np.atleast_1d, start)),
+        p=tuple(map(np.atleast_1d, (*u, *p))),
+        count=1,
+        t=float(times[-1]),
+        tol=tol,
+        times=times,
+        sampled=names,
+        watched=(),
+        limits={},
+        within={},
+    )
+    samples = integrate_in_vm(task).samples
+    return np.concatenate([samples[name] for name in names])

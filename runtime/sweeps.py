@@ -1,0 +1,149 @@
+"""The closed forms of the linear model at millions of points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .aircraft import Aircraft
+from .arrays import FloatArray
+from .chunks import check_memory, thread_count
+from .errors import GroundloopError, unknown
+from .evaluate import sweep_into
+from .generated import build
+from .linearization import ComplexArray
+from .stability import CLOSED_FORMS, OVER_SPEED
+
+#: Name of a result -> generated function, its result.
+SWEPT = {
+    **{name: ("linear_modes", name) for name in ("re_1", "im_1", "re_2", "im_2")},
+    **{
+        name: ("linear_modes" if function == "modes" else function, result)
+        for name, (function, result) in (CLOSED_FORMS | OVER_SPEED).items()
+        if function != "times"
+    },
+}
+_MODES = ("re_1", "im_1", "re_2", "im_2", "damping_ratio", "natural_frequency")
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Sweep(Mapping[str, FloatArray]):
+    """Results by name, each of the shape of the points; ``sweep["decay_rate"]``.
+
+    Attributes
+    ----------
+    aircraft : Aircraft
+        Its parameters arrays where they vary.
+    arrays : dict of ndarray
+        SI units with radians.
+    """
+
+    aircraft: Aircraft
+    arrays: dict[str, FloatArray]
+
+    def __getitem__(self, name: str) -> FloatArray:
+        if name not in self.arrays:
+            raise unknown("result", name, [*self.arrays, "eigenvalues"], "this sweep")
+        return self.arrays[name]
+
+    def __iter__(self) -> Any:
+        return iter(self.arrays)
+
+    def __len__(self) -> int:
+        return len(self.arrays)
+
+    @property
+    def eigenvalues(self) -> ComplexArray:
+        """Of A, 1/s, shape (..., 2): the larger real part first."""
+        pairs = ((self["re_1"], self["im_1"]), (self["re_2"], self["im_2"]))
+        return np.stack([re + 1j * im for re, im in pairs], axis=-1)
+
+    def __repr__(self) -> str:
+        shape = next(iter(self.arrays.values())).shape
+        lines = [f"Sweep of {self.aircraft.name!r}: {' x '.join(map(str, shape)) or 1} points"]
+        for name, array in self.arrays.items():
+            good = array[np.isfinite(array)]
+            span = f"{good.min():.4g} to {good.max():.4g}" if good.size else "nowhere finite"
+            lines.append(f"  {name:<24} {span}")
+        return "\n".join(lines)
+
+
+def sweep(
+    plane: Aircraft,
+    of: Iterable[str] = _MODES,
+    *,
+    threads: int | None = None,
+    out: Sweep | None = None,
+    **values: Any,
+) -> Sweep:
+    """Eigenvalues, damping, frequencies and margins of the linear model at many points.
+
+    Parameters
+    ----------
+    plane : Aircraft
+        The aircraft; its parameters may be arrays.
+    of : iterable of str
+        ``re_1``, ``im_1``, ``re_2``, ``im_2`` (the eigenvalues) and names of `groundloop.Margins`
+        or `groundloop.SpeedWindow`. Default: eigenvalues, damping ratio, natural frequency.
+    threads : int, optional
+        Every processor if omitted; does not change a bit of the result.
+    out : Sweep, optional
+        The result of an earlier call with the same shape and names, to be overwritten: spares the
+        system new pages, which take as long as the work.
+    **values : float or array
+        Parameters by symbol or full name; they broadcast.
+
+    Returns
+    -------
+    Sweep
+        Results by name.
+
+    Raises
+    ------
+    GroundloopError
+        For unknown names, values that cannot be, or shapes that do not broadcast.
+    """
+    names = _names(of)
+    aircraft = plane.replace(**values) if values else plane
+    count = thread_count(threads)
+    functions = list(dict.fromkeys(SWEPT[name][0] for name in names))
+    needed = list(dict.fromkeys(s for f in functions for s in build(f).name_in()))
+    given = {s: aircraft[s] for s in needed}
+    shape = np.broadcast_shapes(*(value.shape for value in given.values()))
+    results = _room(names, shape, aircraft, out)
+    for function in functions:
+        wanted = {
+            SWEPT[name][1]: results.arrays[name] for name in names if SWEPT[name][0] == function
+        }
+        sweep_into(function, given, shape, wanted, count)
+    return results
+
+
+def _names(of: Iterable[str]) -> tuple[str, ...]:
+    if isinstance(of, str):
+        raise GroundloopError(f"of must be a list of names, not the string {of!r}")
+    names = tuple(dict.fromkeys(of))
+    for name in names:
+        if name not in SWEPT:
+            raise unknown("result", name, SWEPT)
+    if not names:
+        raise GroundloopError("nothing to sweep: of is empty")
+    return names
+
+
+def _room(
+    names: tuple[str, ...], shape: tuple[int, ...], aircraft: Aircraft, out: Sweep | None
+) -> Sweep:
+    """Where the results go."""
+    if out is None:
+        check_memory(8 * len(names) * math.prod(shape), "the results")
+        return Sweep(aircraft, {name: np.empty(shape) for name in names})
+    if tuple(out.arrays) != names or any(v.shape != shape for v in out.arrays.values()):
+        raise GroundloopError(
+            f"out must hold {', '.join(names)} of shape {shape}, as an earlier call returned them"
+        )
+    return Sweep(aircraft, out.arrays)
