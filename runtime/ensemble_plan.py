@@ -106,7 +106,7 @@ class Plan:
         """The result in the shape of the trajectories."""
 
         def named(arrays: Mapping[str, FloatArray], what: str) -> Named:
-            each = {s: v.reshape(*self.shape, *v.shape[1:]) for s, v in arrays.items()}
+            each = {s: v.reshape((*self.shape, *v.shape[1:])) for s, v in arrays.items()}
             return Named(each, what)
 
         return Ensemble(

@@ -94,8 +94,8 @@ def ensemble(
     asked = plan(plane, t, tire, at, names, tol, chunk, values)
     asked = watching(asked, extremes, limits or {}, within or {})
     count = thread_count(threads if executor is None or threads is not None else 1)
-    chunks = cut(math.prod(asked.shape), asked.chunk)
     check_memory(asked.bytes_each * math.prod(asked.shape), "the results")
+    chunks = cut(math.prod(asked.shape), asked.chunk)
     if len(chunks) > 1 and asked.follows:
         for each in chunks:
             asked.task(each)  # what cannot be is found before any work starts

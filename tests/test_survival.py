@@ -1,0 +1,182 @@
+"""How hard a kick is survived: against plain simulations, and where theory knows the answer."""
+
+from __future__ import annotations
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib import pyplot
+
+import groundloop as gl
+from groundloop.evaluate import elementwise
+from groundloop.fates import FATES, Criterion, fates
+
+mpl.use("Agg")
+
+PLANE = gl.Aircraft.load("brott-physical")
+TAIL = -float(PLANE["b"])
+#: Stiffness of the tail wheel in Trials 17 to 19.
+TRIALS = {17: "145 N/deg", 18: "112 N/deg", 19: "70 N/deg"}
+
+
+def test_a_kick_is_momentum_and_angular_momentum():
+    changes = elementwise(
+        "kick",
+        {"S": np.array(300.0), "x_S": np.array(-4.0), "m": PLANE["m"], "Izz": PLANE["Izz"]},
+    )
+    assert float(changes["dv"]) == pytest.approx(300.0 / 748.43)
+    assert float(changes["dr"]) == pytest.approx(-4.0 * 300.0 / 1760.0)
+
+
+def judged(plane: gl.Aircraft, impulse: float, station: float, criterion: Criterion) -> str:
+    """The fate of one kicked aircraft by a plain simulation, looked at every millisecond."""
+    v0, r0 = impulse / float(plane["m"]), station * impulse / float(plane["Izz"])
+    run = gl.simulate(plane, t=criterion.t, samples=round(criterion.t * 1000) + 1, v0=v0, r0=r0)
+    moving = np.zeros(run.t.size, bool)
+    for name in ("v", "r"):
+        size = np.abs(run[name])
+        moving |= size > criterion.settled * size.max()
+    last = np.flatnonzero(moving)[-1]
+    if (np.abs(run["psi"]) >= criterion.heading).any():
+        return FATES[1]
+    if (np.abs(run["Y"][: last + 1]) >= criterion.half_width).any():
+        return FATES[2]
+    return FATES[0] if last + 1 < run.t.size else FATES[3]
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "station", "half_width"),
+    [("145 N/deg", 0.0, 7.5), ("112 N/deg", TAIL, 15.0), ("70 N/deg", TAIL, 15.0)],
+)
+def test_the_threshold_is_where_a_plain_simulation_sees_it(
+    stiffness: str, station: float, half_width: float
+):
+    plane = PLANE.replace(Ct=stiffness)
+    found = gl.survival(plane, station=station, half_width=half_width)
+    assert 0 < found.impulse < np.inf
+    below, above = float(found.impulse) * 0.998, float(found.impulse) * 1.003
+    assert judged(plane, below, station, found.criterion) == FATES[0]
+    assert judged(plane, above, station, found.criterion) == FATES[int(found.fate)] != FATES[0]
+    assert float(found.velocity_change) == pytest.approx(float(found.impulse) / 748.43)
+
+
+def test_right_and_left_are_the_same():
+    v, r = np.linspace(-10, 10, 21)[:, None], np.linspace(-3, 3, 21)
+    fate, when = fates(PLANE, v, r, Criterion())
+    assert (fate == fate[::-1, ::-1]).all()
+    assert when == pytest.approx(when[::-1, ::-1], rel=1e-6, nan_ok=True)
+
+
+def test_rest_straightens_out_at_once():
+    fate, when = fates(PLANE, 0.0, 0.0, Criterion())
+    assert (FATES[int(fate)], float(when)) == ("straightens out", 0.0)
+
+
+def test_what_is_unstable_survives_nothing():
+    unstable = PLANE.replace(Ct=0.0, a=1.0, b=3.5)
+    found = gl.survival(unstable)
+    assert found.decay_rate < 0
+    assert found.impulse == 0
+    assert FATES[int(found.fate)] != FATES[0]
+
+
+def test_a_wider_runway_is_never_worse():
+    widths = (5.0, 7.5, 10.0, 15.0)
+    plane = PLANE.replace(Ct=np.array([8307.888, 6417.127, 4010.705]))
+    found = np.stack([gl.survival(plane, half_width=w).impulse for w in widths])
+    assert (np.diff(found, axis=0) >= -2e-3 * found[:-1]).all()
+
+
+def test_the_eigenvalue_ranks_the_trials_but_not_by_how_much():
+    """Trials 17 to 19 with the right tire: an eigth of the decay rate, a fiftieth of the kick."""
+    plane = PLANE.replace(Ct=np.array([8307.888, 6417.127, 4010.705]))
+    found = gl.survival(plane, station=-plane["b"])
+    assert (np.diff(found.decay_rate) < 0).all()
+    assert (np.diff(found.impulse) < 0).all()
+    assert found.decay_rate[0] / found.decay_rate[2] == pytest.approx(8.07, abs=0.05)
+    assert found.impulse[0] / found.impulse[2] == pytest.approx(53.4, abs=1.0)
+    assert [FATES[k] for k in found.fate] == [*["turns too far"] * 2, "leaves the runway"]
+    assert np.isnan(found.island).tolist() == [True, True, False]
+
+
+def test_shapes_broadcast_and_the_largest_tried_is_said():
+    stations = np.linspace(-4.0, 1.0, 3)[:, None]
+    found = gl.survival(PLANE, station=stations, speed=np.array([20.0, 30.0]), largest=50.0)
+    assert found.impulse.shape == found.fate.shape == found.decay_rate.shape == (3, 2)
+    assert (found.fate == 0).all()
+    assert (found.impulse == 50.0).all()
+    assert "6 cases" in repr(found)
+    assert "N s at" in repr(gl.survival(PLANE))
+
+
+@pytest.fixture(scope="module")
+def basin() -> gl.Basin:
+    plane = PLANE.replace(Ct=TRIALS[19])
+    return gl.basin(plane, ("v0", np.linspace(-8, 8, 33)), ("r0", np.linspace(-3, 3, 25)))
+
+
+def test_a_basin_is_fates_over_a_grid(basin: gl.Basin):
+    assert basin.fate.shape == (25, 33)
+    assert 0.2 < basin.share < 0.9
+    one, _ = fates(basin.aircraft, basin.x[4], basin.y[20], basin.criterion)
+    assert one == basin.fate[20, 4]
+    assert "straightens out" in repr(basin)
+
+
+def test_a_basin_over_speed_and_impulse_meets_the_threshold():
+    plane = PLANE.replace(Ct=TRIALS[18])
+    speeds = np.array([20.0, 30.0, 40.0])
+    found = gl.survival(plane, station=TAIL, speed=speeds)
+    impulses = np.linspace(0.9, 1.1, 11) * 1900.0
+    chart = gl.basin(plane, ("speed", speeds), ("impulse", impulses), station=TAIL)
+    assert ((chart.fate == 0) == (impulses[:, None] <= found.impulse)).all()
+
+
+def test_a_basin_is_drawn_with_units_and_a_legend(basin: gl.Basin):
+    axes = basin.plot()
+    assert axes.get_xlabel() == "initial lateral velocity $v$ (m/s)"
+    assert axes.get_ylabel() == "initial yaw rate $r$ (deg/s)"
+    labels = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert labels[0] == "straightens out"
+    assert axes.get_ylim()[1] > 170
+    _, own = pyplot.subplots()
+    assert basin.plot(own) is own
+    pyplot.close("all")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"half_width": 0.0}, "half_width must be a positive number"),
+        ({"heading": np.nan}, "heading must be finite"),
+        ({"settled": 1.0}, "settled must be below 1"),
+        ({"t": -1.0}, "t must be a positive number"),
+        ({"largest": -5.0}, "largest must be positive"),
+        ({"station": np.inf}, "station must be finite"),
+        ({"station": [1.0, 2.0], "speed": [10.0, 20.0, 30.0]}, "do not broadcast"),
+    ],
+)
+def test_mistakes_are_named(arguments: dict[str, object], message: str):
+    with pytest.raises(gl.GroundloopError, match=message):
+        gl.survival(PLANE, **arguments)
+
+
+def test_a_tire_that_reverses_is_refused():
+    with pytest.raises(gl.GroundloopError, match=r"reverses its force .* brott-physical"):
+        gl.survival(gl.Aircraft.load("brott"))
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "message"),
+    [
+        (("v", [0, 1]), ("r0", [0, 1]), "unknown axis 'v'"),
+        (("v0", [0, 1]), ("v0", [0, 1]), "x and y are the same"),
+        (("v0", [1, 0]), ("r0", [0, 1]), "increasing values"),
+        (("v0",), ("r0", [0, 1]), "pair"),
+    ],
+)
+def test_mistakes_of_a_basin_are_named(x: object, y: object, message: str):
+    with pytest.raises(gl.GroundloopError, match=message):
+        gl.basin(PLANE, x, y)
+    with pytest.raises(gl.GroundloopError, match="of one aircraft"):
+        gl.basin(PLANE.replace(a=[0.1, 0.2]), ("v0", [0, 1]), ("r0", [0, 1]))
