@@ -11,6 +11,7 @@ import numpy as np
 from .arrays import FloatArray
 from .errors import GroundloopError
 from .integration import integrator
+from .linearization import linearize
 from .names import signature
 
 if TYPE_CHECKING:
@@ -22,6 +23,9 @@ _REST = 1e-10
 _WINDOWS = 100
 _WINDOW = 500
 _STEP = 0.01  # s
+#: What is unstable when running straight never comes to rest: a growth rate, 1/s, beyond rounding.
+_NEUTRAL = 1e-9
+_NOTHING = (np.nan,) * 6
 
 
 @dataclass(frozen=True)
@@ -81,19 +85,22 @@ def metrics(run: Trajectory) -> Metrics:
     start = {s: run[s][..., 0] for s in signature(run.tire).states}
     p, flat, shape = run.aircraft.columns(run.tire, disturbance=run.disturbance, **start)
     x0, u = np.stack([flat[s] for s in start]), flat["disturbance"][None]
-    rows = [_read(run.tire, x0[:, k], u[:, k], p[:, k]) for k in range(p.shape[1])]
+    decay_rate = np.broadcast_to(linearize(run.aircraft, run.tire).decay_rate, shape).ravel()
+    rows = [
+        _NOTHING if decay_rate[k] < -_NEUTRAL else _read(run.tire, x0[:, k], u[:, k], p[:, k])
+        for k in range(p.shape[1])
+    ]
     return Metrics(*(np.array(column).reshape(shape) for column in zip(*rows, strict=True)))
 
 
 def _read(tire: str, x0: FloatArray, u: FloatArray, p: FloatArray) -> tuple[float, ...]:
-    nothing = (np.nan,) * 6
     x = _until_rest(tire, x0, u, p)
     if x is None:
-        return nothing
+        return _NOTHING
     names = signature(tire).states
     v, y, theta = (x[names.index(s)] for s in ("v", "y", "theta"))
     if y[-1] == y[0]:
-        return nothing
+        return _NOTHING
     t = _STEP * np.arange(y.size)
     share, rate = (y - y[0]) / (y[-1] - y[0]), v / (y[-1] - y[0])
     outside = np.flatnonzero(np.abs(share - 1) > 0.05)

@@ -367,8 +367,9 @@ def test_svg_is_well_formed_titled_and_the_same_each_time():
 def test_everything_is_written(done):
     summary, _ = done
     names = {str(p.relative_to(summary.folder)) for p in summary.folder.rglob("*") if p.is_file()}
-    drawings = {f"figures/{study.file_name(n)}.svg" for n in FIGURES}
-    assert names == {"report.html", "ledger.json", "ledger.csv", "tables.md", *drawings}
+    drawings = {study.file_name(n) for n in FIGURES} | set(sources.placement_captions())
+    figures = {f"figures/{name}.svg" for name in drawings}
+    assert names == {"report.html", "ledger.json", "ledger.csv", "tables.md", *figures}
     assert (summary.agrees, summary.explained, summary.differs) == (363, 10, 0)
     assert summary.figures == len(FIGURES) == 44
     assert "363 agree" in str(summary)
@@ -377,7 +378,7 @@ def test_everything_is_written(done):
 
 def test_progress_is_told(done):
     _, steps = done
-    total = len(TABLES) + len(FIGURES) + 1
+    total = len(TABLES) + len(FIGURES) + 2
     assert [step[1:] for step in steps] == [(k, total) for k in range(total + 1)]
     assert steps[0][0] == "Table 3.2"
 

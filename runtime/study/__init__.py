@@ -1,5 +1,7 @@
 """The study: every table and figure of Brott's thesis, computed and set beside the print.
 
+It ends with what the thesis leads up to: where the wheels of its aircraft should stand.
+
 `sources` reads the data files (printed tables, trials and their readings, errata, figures),
 `cases` makes the runs, `ledger` judges each printed cell, `figures` draws, `report` writes for
 people, `output` lets files appear whole or not at all.
@@ -76,6 +78,8 @@ def run(out: str | Path, progress: Callable[[str, int, int], None] | None = None
     GroundloopError
         If the folder cannot be written to.
     """
+    from groundloop.placement.worked import worked_study
+
     from . import figures, report
     from .ledger import Cell, count, ledger, rows
     from .output import whole
@@ -83,7 +87,7 @@ def run(out: str | Path, progress: Callable[[str, int, int], None] | None = None
     from .sources import figures as specs
     from .sources import tables
 
-    done, total = 0, len(tables()) + len(specs()) + 1
+    done, total = 0, len(tables()) + len(specs()) + 2
 
     def step(label: str) -> None:
         nonlocal done
@@ -105,15 +109,21 @@ def run(out: str | Path, progress: Callable[[str, int, int], None] | None = None
             drawings[number] = figures.svg(spec)
             _write(scratch / "figures" / f"{file_name(number)}.svg", drawings[number])
 
+        step("gear placement")
+        placement = worked_study()
+        for name, figure in placement.figures().items():
+            drawings[name] = figures.as_svg(figure, name, name.replace("-", " "))
+            _write(scratch / "figures" / f"{name}.svg", drawings[name])
+
         step("report")
         counts = count(cells)
         contents = {"provenance": provenance(), "counts": counts, "rows": rows(cells)}
         _write(scratch / "ledger.csv", report.as_csv(cells))
         _write(scratch / "tables.md", report.markdown(cells))
         _write(scratch / LEDGER, json.dumps(contents, ensure_ascii=False, indent=1) + "\n")
-        _write(scratch / REPORT, report.html(cells, drawings))
+        _write(scratch / REPORT, report.html(cells, drawings, placement))
     step("done")
-    return Summary(folder, **counts, figures=len(drawings))
+    return Summary(folder, **counts, figures=len(specs()))
 
 
 def file_name(number: str) -> str:

@@ -51,11 +51,15 @@ def draw(spec: FigureSpec) -> Figure:
 
 def svg(spec: FigureSpec) -> str:
     """Draw a figure as SVG: the same bytes each time, no two figures with an id in common."""
-    figure = draw(spec)
+    return as_svg(draw(spec), spec.number, f"Figure {spec.number}: {spec.caption}")
+
+
+def as_svg(figure: Figure, number: str, name: str) -> str:
+    """A figure as an SVG element with a name; its ids begin with its number."""
     target = io.StringIO()
-    with style(), _salted(spec.number):
+    with style(), _salted(number):
         figure.savefig(target, format="svg", metadata=_NO_METADATA)
-    return _tidied(target.getvalue(), spec)
+    return _tidied(target.getvalue(), number, name)
 
 
 _NO_METADATA: dict[str, Any] = dict.fromkeys(("Creator", "Date", "Format", "Type"))
@@ -68,15 +72,14 @@ def _salted(number: str) -> Any:
     return mpl.rc_context(settings)
 
 
-def _tidied(text: str, spec: FigureSpec) -> str:
+def _tidied(text: str, number: str, name: str) -> str:
     """Only the svg element: ids with the figure's number, coordinates to hundredths, a title."""
     body = text[text.index("<svg") :]
-    prefix = f"f{spec.number.replace('.', '-')}-"
+    prefix = f"f{number.replace('.', '-')}-"
     body = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{prefix}", body)
     body = re.sub(r"\s*<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
     body = re.sub(r"<!--.*?-->\s*", "", body, flags=re.DOTALL)
     body = re.sub(r'\b(d|x|y)="([^"]*)"', _rounded, body)
-    name = f"Figure {spec.number}: {spec.caption}"
     head, rest = body.split(">", 1)
     rest = re.sub(r"\s*<defs>\s*<style.*?</style>\s*</defs>", "", rest, count=1, flags=re.DOTALL)
     return f'{head} role="img" style="{_JOINS}">\n <title>{escape(name)}</title>{rest.rstrip()}\n'

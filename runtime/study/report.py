@@ -7,18 +7,22 @@ import io
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from importlib import resources
+from typing import TYPE_CHECKING
 
 import jinja2
 from markupsafe import Markup, escape
 
 from .ledger import Cell, count, decimals, rows
 from .provenance import provenance
-from .sources import Table, citation, errata, figures, sections, tables
+from .sources import Table, citation, errata, figures, placement_captions, sections, tables
+
+if TYPE_CHECKING:
+    from groundloop.placement.worked import WorkedStudy
 
 _MARKS = {"agrees": "✓", "explained": "E", "differs": "✗"}
 
 
-def html(cells: Sequence[Cell], drawings: Mapping[str, str]) -> str:
+def html(cells: Sequence[Cell], drawings: Mapping[str, str], placement: WorkedStudy) -> str:
     """The report.
 
     Parameters
@@ -26,7 +30,9 @@ def html(cells: Sequence[Cell], drawings: Mapping[str, str]) -> str:
     cells : sequence of Cell
         The ledger.
     drawings : mapping of str to str
-        SVG by figure number.
+        SVG by figure number or name.
+    placement : WorkedStudy
+        Where the wheels should stand.
     """
     folder = resources.files("groundloop.study")
     environment = jinja2.Environment(
@@ -52,6 +58,8 @@ def html(cells: Sequence[Cell], drawings: Mapping[str, str]) -> str:
         drawings={number: Markup(drawing) for number, drawing in drawings.items()},
         errata=errata(),
         explained=explained(cells),
+        placement=placement,
+        placement_figures=placement_captions(),
         provenance=provenance(),
     )
 

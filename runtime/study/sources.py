@@ -317,3 +317,9 @@ def _csv(name: str) -> list[dict[str, str]]:
 def _text(name: str) -> str:
     path = resources.files("groundloop.study") / "data" / name
     return path.read_text(encoding="utf-8")
+
+
+@cache
+def placement_captions() -> dict[str, str]:
+    """Captions of the pictures of the gear placement, by name."""
+    return {name: str(caption) for name, caption in _toml("report")["placement"].items()}
