@@ -445,7 +445,8 @@ def test_report_holds_everything(done):
     ids = {a["id"] for _, a in page.tags if "id" in a}
     assert {f"figure-{n}" for n in FIGURES} | {f"table-{n}" for n in TABLES} <= ids
     assert {f"erratum-{n}" for n in sources.errata()} | {"provenance"} <= ids
-    assert sum(tag == "svg" for tag, _ in page.tags) == len(FIGURES)
+    pictures = len(FIGURES) + len(sources.placement_captions())
+    assert sum(tag == "svg" for tag, _ in page.tags) == pictures
     assert text.count('<td class="value') == 373
     assert DIGEST in text
     assert '(<a href="#erratum-3">erratum 3</a>)' in text

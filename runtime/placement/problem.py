@@ -46,7 +46,7 @@ class Problem:
         design = self.case.design(dict(zip(self._free, ends, strict=True)))
         middle = {s: axis.values.mean() for s, axis in self.case.axes.items()}
         values = self.case.values(design, middle)
-        return max(abs(float(values["re_1"] + values["re_2"])) / 2, 1e-3)
+        return max(abs(float(values["re_2"])), 1e-3)
 
     @property
     def _free(self) -> tuple[str, ...]:
