@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 #: What an axis may be beside a parameter -> the quantity.
 _STARTS = {"v0": "v", "r0": "r", "impulse": "S"}
 #: One colour for each fate, from light to dark in grey print too.
-_SHADES = ("#E8F1F7", "#D55E00", "#56A0CF", "#F0C987", "#444444")
+_SHADES = ("#EEF3F7", "#B84A00", "#7FB3DA", "#F0C987", "#333333")
 _SHOWN = {"rad/s": "deg/s", "rad": "deg"}
 
 
