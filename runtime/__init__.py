@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .basins import Basin, basin
     from .checking import Check, check
     from .ensemble_result import Ensemble
+    from .ensemble_records import load_ensemble, load_sweep
     from .ensembles import ensemble
     from .errors import GroundloopError
     from .integration import integrator
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from .maps import StabilityMap, stability_map
     from .metrics import Metrics
     from .placement import Envelope, InfeasibleError, Limits, Placement, place_gear
-    from .records import load_run
+    from .records import load_linearization, load_run
     from .response import (
         FrequencyResponse,
         RootLocus,
@@ -94,7 +95,10 @@ _HOME = {
     "gear_limit": "stability",
     "integrator": "integration",
     "linearize": "linearization",
+    "load_ensemble": "ensemble_records",
+    "load_linearization": "records",
     "load_run": "records",
+    "load_sweep": "ensemble_records",
     "margins": "stability",
     "place_gear": "placement",
     "pole_map": "response_plot",
@@ -151,7 +155,10 @@ __all__ = [
     "gusts",
     "integrator",
     "linearize",
+    "load_ensemble",
+    "load_linearization",
     "load_run",
+    "load_sweep",
     "margins",
     "place_gear",
     "pole_map",

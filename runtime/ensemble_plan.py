@@ -112,6 +112,8 @@ class Plan:
         return Ensemble(
             aircraft=self.aircraft,
             tire=self.tire,
+            start=self.start,
+            inputs=self.inputs,
             t=self.t,
             tol=self.tol,
             status=result.status.reshape(self.shape),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +14,9 @@ from .arrays import FloatArray
 from .generated.kernels import STATUS
 from .generated.names import QUANTITIES
 from .names import symbol
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 class Named(Mapping[str, FloatArray]):
@@ -45,6 +49,8 @@ class Ensemble:
         What rolled, its parameters arrays where they vary.
     tire : str
         Which model.
+    start, inputs : mapping of str to ndarray
+        Initial states and constant inputs by symbol.
     t, tol : float
         Duration, s, and the error asked for.
     status : ndarray of int8
@@ -69,6 +75,8 @@ class Ensemble:
 
     aircraft: Aircraft
     tire: str
+    start: Mapping[str, FloatArray]
+    inputs: Mapping[str, FloatArray]
     t: float
     tol: float
     status: npt.NDArray[np.int8]
@@ -99,6 +107,12 @@ class Ensemble:
     def __getitem__(self, name: str) -> FloatArray:
         """Samples of a state or output if there are any, its final values otherwise."""
         return (self.samples if self.at.size else self.final)[name]
+
+    def save(self, path: str | Path) -> Path:
+        """Write to an npz file with all that went in; `groundloop.load_ensemble` reads it."""
+        from .ensemble_records import save_ensemble
+
+        return save_ensemble(self, path)
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{n} {name}" for name, n in self.counts.items())

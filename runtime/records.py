@@ -142,11 +142,11 @@ def read(path: str | Path, kind: str, *, other_equations: bool = False) -> Recor
             " again, or accept it with other_equations=True"
         )
     aircraft = Aircraft(
-        given=_under("given/", members),
+        given=under("given/", members),
         sources={s: Source(**source) for s, source in text["sources"].items()},
         **text["aircraft"],
     )
-    return Record(kind, _under("arrays/", members), text["about"], aircraft, text["provenance"])
+    return Record(kind, under("arrays/", members), text["about"], aircraft, text["provenance"])
 
 
 def save_run(run: Trajectory, path: str | Path) -> Path:
@@ -239,12 +239,13 @@ def load_linearization(path: str | Path, *, other_equations: bool = False) -> Li
         for name, value in [*record.arrays.items(), *record.about.items()]
         if not name.startswith("at.")
     }
-    arrays = _under("at.", record.arrays)
+    arrays = under("at.", record.arrays)
     at = {name: array if array.ndim else float(array) for name, array in arrays.items()}
     return Linearization(**values, at=OperatingPoint(**at), aircraft=record.aircraft)
 
 
-def _under(prefix: str, members: Mapping[str, Any]) -> dict[str, Any]:
+def under(prefix: str, members: Mapping[str, Any]) -> dict[str, Any]:
+    """The members whose names begin with a prefix, without it."""
     return {
         name.removeprefix(prefix): value
         for name, value in members.items()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from .evaluate import sweep_into
 from .generated import build
 from .linearization import ComplexArray
 from .stability import CLOSED_FORMS, OVER_SPEED
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 #: Name of a result -> generated function, its result.
 SWEPT = {
@@ -55,6 +58,12 @@ class Sweep(Mapping[str, FloatArray]):
 
     def __len__(self) -> int:
         return len(self.arrays)
+
+    def save(self, path: str | Path) -> Path:
+        """Write to an npz file with the aircraft; `groundloop.load_sweep` reads it."""
+        from .ensemble_records import save_sweep
+
+        return save_sweep(self, path)
 
     @property
     def eigenvalues(self) -> ComplexArray:

@@ -61,6 +61,26 @@ def test_a_linearization_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path
         gl.load_run(tmp_path / "lin.npz")
 
 
+def test_an_ensemble_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path) -> None:
+    many = gl.ensemble(
+        plane, t=1.0, at=[0.5, 1.0], a=np.linspace(0.2, 0.6, 3), v0=0.2, extremes=["alpha"]
+    )
+    back = gl.load_ensemble(many.save(tmp_path / "ensemble.npz"))
+    assert repr(back) == repr(many)
+    assert np.array_equal(back["v"], many["v"])
+    assert np.array_equal(back.largest["alpha"], many.largest["alpha"])
+    assert back.status.dtype == many.status.dtype
+    assert back.start["v"] == 0.2
+    assert np.array_equal(back.aircraft["a"], many.aircraft["a"])
+
+
+def test_a_sweep_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path) -> None:
+    points = gl.sweep(plane, ["decay_rate"], speed=np.linspace(10.0, 40.0, 5))
+    back = gl.load_sweep(points.save(tmp_path / "sweep.npz"))
+    assert np.array_equal(back["decay_rate"], points["decay_rate"])
+    assert np.array_equal(back.aircraft["speed"], points.aircraft["speed"])
+
+
 def test_a_gust_comes_back_as_its_samples(plane: gl.Aircraft, tmp_path: Path) -> None:
     gust = gl.gusts.one_minus_cosine(100.0, 0.2, 0.5)
     run = gl.simulate(plane, disturbance=gust, t=1.0)
