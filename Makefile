@@ -23,7 +23,7 @@ derive: $(STAMP)  ## regenerate the equations: generated/ from derive/
 compile: $(STAMP) derive  ## compile every generated function into the user's cache
 	$(BIN)/python -c "from groundloop import generated; [generated.load(f) for f in generated.FUNCTIONS]"
 
-test: lint types drift unit  ## everything that proves it
+test: lint types drift docs unit  ## everything that proves it
 
 lint: $(STAMP)  ## style
 	$(BIN)/ruff check .
