@@ -39,20 +39,30 @@ class SweepKernels:
 def ensemble_kernels(
     derived: Iterable[Module], package: Mapping[str, ModuleType]
 ) -> Iterator[EnsembleKernel]:
-    """For each model one kernel without the path over the ground, and one with it."""
+    """For each model kernels of the thesis's states, of all but the path, and of everything."""
     for model in (module.model for module in derived if module.model is not None):
         rhs, outputs = package[model.name].rhs(), package[model.name].outputs()
         every = range(len(model.states))
-        for name, keep in (("ensemble", _in_body_axes(model)), ("path_ensemble", every)):
+        body = _in_body_axes(model)
+        for name, keep in (
+            ("least_ensemble", _distinct(model, body)),
+            ("ensemble", body),
+            ("path_ensemble", every),
+        ):
             kernel = ensemble_kernel(rhs, outputs, list(keep))
             states = tuple(str(model.states[j]) for j in kernel.states)
             yield EnsembleKernel(f"{model.name}_{name}", model.name, states, kernel.text)
 
 
-def _in_body_axes(model: Model) -> Iterator[int]:
+def _in_body_axes(model: Model) -> list[int]:
     """The states whose rates need nothing but the motion in body axes."""
     beyond = set(model.states) - set(model.dynamic)
-    return (k for k, rate in enumerate(model.rates) if not rate.free_symbols & beyond)
+    return [k for k, rate in enumerate(model.rates) if not rate.free_symbols & beyond]
+
+
+def _distinct(model: Model, states: list[int]) -> list[int]:
+    """The states but those that move as an earlier one does (psi as theta)."""
+    return [k for k in states if model.rates[k] not in [model.rates[j] for j in states if j < k]]
 
 
 def stability_sweep(derived: Iterable[Module], package: Mapping[str, ModuleType]) -> SweepKernels:

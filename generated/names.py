@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 843cb7aa8bf8165b) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 3ba21d2e141ae0f0) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "843cb7aa8bf8165b"
+DIGEST = "3ba21d2e141ae0f0"
 
 QUANTITIES = {
     q.symbol: q
@@ -249,8 +249,10 @@ FUNCTIONS = {
 
 #: Name of a kernel and of its C file -> what it carries.
 KERNELS = {
+    "linear_least_ensemble": Kernel("linear", ("v", "r", "y", "theta",)),
     "linear_ensemble": Kernel("linear", ("v", "r", "y", "theta", "psi",)),
     "linear_path_ensemble": Kernel("linear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
+    "nonlinear_least_ensemble": Kernel("nonlinear", ("v", "r", "y", "theta",)),
     "nonlinear_ensemble": Kernel("nonlinear", ("v", "r", "y", "theta", "psi",)),
     "nonlinear_path_ensemble": Kernel("nonlinear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
 }
