@@ -140,6 +140,12 @@ def _bare(name: str) -> list[str]:
     return [f"{word}:5" if ":" in word else word for word in words]
 
 
+@pytest.mark.parametrize("name", ["ensemble", "survival"])
+def test_results_do_not_depend_on_the_number_of_threads(run, name: str):
+    one, two = (run(*_bare(name), "--threads", n, "--format", "csv").out for n in "12")
+    assert one == two
+
+
 # --- The same numbers as the Python API ---------------------------------------------------------
 
 
@@ -211,6 +217,96 @@ def test_set_changes_parameters_with_units_and_lets_them_follow(run):
     plane = gl.Aircraft.load("brott").replace(x_cg="16 in", m=800, f=None, Ct=None)
     for symbol in ("x_cg", "m", "a", "f", "Ct"):
         assert values[symbol] == float(plane[symbol])
+
+
+def test_ensemble_gives_what_the_api_gives(run):
+    words = ("--vary", "speed=36 km/h:144 km/h:3", "--v0", "0.5:2:4", "--r0", "1 deg/s")
+    more = ("--extremes", "psi,alpha", "--limits", "Y=1 ft", "--tol", "1e-8", "--t", "4")
+    found = json.loads(run("ensemble", "brott", *words, *more, "--format", "json").out)
+    expected = gl.ensemble(
+        gl.Aircraft.load("brott"),
+        4.0,
+        extremes=["psi", "alpha"],
+        limits={"Y": 0.3048},
+        tol=1e-8,
+        speed=np.linspace(10, 40, 3)[:, None],
+        v0=np.linspace(0.5, 2, 4),
+        r0=np.radians(1),
+    )
+    assert found["shape"] == [3, 4]
+    for kind in ("final", "largest", "first"):
+        arrays = getattr(expected, kind)
+        assert found[kind].keys() == arrays.keys()
+        for s, values in arrays.items():
+            wanted = np.where(np.isfinite(values), values, np.nan)
+            np.testing.assert_allclose(np.array(found[kind][s], dtype=float), wanted, rtol=1e-12)
+
+
+def test_csv_of_an_ensemble_is_one_line_for_each_trajectory(run):
+    words = ("--vary", "a=0:1:3", "--vary", "v0=1:2:2", "--within", "psi=1 deg")
+    result = run("ensemble", "brott", *words, "--format", "csv")
+    header, *rows = csv.reader(io.StringIO(result.out))
+    assert (header[:3], header[-1]) == (["a [m]", "v0 [m/s]", "v_end [m/s]"], "status")
+    grid = [(float(row[0]), float(row[1])) for row in rows]
+    assert grid == [(a, v0) for a in (0.0, 0.5, 1.0) for v0 in (1.0, 2.0)]
+    lost = [row for row in rows if row[-1] == "left the range"]
+    assert 0 < len(lost) < 6
+    assert result.err == f"not every trajectory is ok: {len(lost)} left the range\n"
+
+
+def test_a_random_draw_lies_within_the_ranges_and_can_be_repeated(run):
+    words = ("ensemble", "brott", "--vary", "speed=10:40", "--v0", "0.1:0.2", "--random", "50")
+    one, again, other = (
+        json.loads(run(*words, "--seed", seed, "--format", "json").out) for seed in "334"
+    )
+    assert one == again
+    assert one["varied"] != other["varied"]
+    speed, v0 = (np.array(one["varied"][s]) for s in ("u", "v0"))
+    assert (speed.shape, v0.shape) == ((50,), (50,))
+    assert 10 <= speed.min() < 15 < 35 < speed.max() <= 40
+    assert 0.1 <= v0.min() < v0.max() <= 0.2
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("ensemble", "brott", "--v0", "0.01:1:9"),
+        ("ensemble", "brott", "--v0", "0.01:1:4", "--vary", "a=0:1:3", "--vary", "r0=0:1:2"),
+        ("ensemble", "brott", "--v0", "0.01:1", "--random", "99", "--limits", "psi=3 deg"),
+        ("survival", "brott-physical", "--station=-4:0:3", "--speed", "20:40:2"),
+    ],
+    ids=["line", "worst", "spread", "stations"],
+)
+def test_ensembles_have_the_picture_that_fits(run, words: tuple[str, ...], tmp_path: Path):
+    result = run(*words)
+    name = f"{words[1]}-{words[0]}.png"
+    assert (result.code, result.err) == (0, f"wrote {name}\n")
+    assert (tmp_path / name).stat().st_size > 5_000
+
+
+def test_survival_gives_what_the_api_gives(run):
+    words = ("--station=-3 m:0 m:2", "--speed", "20:30:3", "--heading", "30 deg")
+    words = (*words, "--half-width", "25 ft", "--settled", "0.2", "--t", "15")
+    found = json.loads(run("survival", "brott-physical", *words, "--format", "json").out)
+    expected = gl.survival(
+        gl.Aircraft.load("brott-physical"),
+        station=np.array([[-3.0], [0.0]]),
+        speed=np.array([20.0, 25.0, 30.0]),
+        heading=np.radians(30),
+        half_width=7.62,
+        settled=0.2,
+        t=15.0,
+    )
+    for name in ("impulse", "velocity_change", "yaw_rate_change", "decay_rate", "fate"):
+        np.testing.assert_allclose(found[name], getattr(expected, name), rtol=1e-12)
+
+
+def test_survival_tells_of_islands_and_of_what_was_tried(run):
+    words = ("survival", "brott-physical", "--station=-3.88", "--no-plot")
+    assert "island" in run(*words, "--set", "Ct=70 N/deg").out
+    out = run(*words, "--largest", "10").out
+    assert re.search(r" 10 .* nothing tried$", out, re.MULTILINE)
+    assert "island" not in out
 
 
 def test_place_gives_the_station_its_worst_corner_and_a_picture(run, tmp_path: Path):
@@ -385,6 +481,19 @@ def test_a_new_file_can_begin_as_a_copy_and_is_not_overwritten(run, tmp_path: Pa
         (["place", "brott", "--envelope", "sped=1:2"], 2, "did you mean speed?"),
         (["place", "brott", "--limit", "nose_over"], 2, "expected name=value"),
         (["place", "brott", "--envelope", "speed=3:2"], 1, "the range runs backwards"),
+        (["ensemble", "brott"], 2, "nothing varies"),
+        (["ensemble", "brott", "--vary", "a=0:1", "--vary", "a=0:2"], 2, "a is varied twice"),
+        (["ensemble", "brott", "--vary", "v0=0:1", "--v0", "1"], 2, "v0 is given and varied"),
+        (["ensemble", "brott", "--vary", "a=0:1:3", "--random", "9"], 2, "no number of points"),
+        (["ensemble", "brott", "--v0", "0:1", "--random", "9", "--seed", "-1"], 2, "0 or more"),
+        (["ensemble", "brott", "--v0", "1:"], 2, "expected low:high"),
+        (["ensemble", "brott", "--v0", "0:1:x"], 2, "expected a whole number"),
+        (["ensemble", "brott", "--v0", "0 kg:1"], 2, "a mass; expected a speed"),
+        (["ensemble", "brott", "--v0", "0:1", "--limits", "psi"], 2, "expected name=value"),
+        (["ensemble", "brott", "--v0", "0:1", "--limits", "spi=3"], 2, "did you mean psi?"),
+        (["ensemble", "brott", "--v0", "0:1", "--tol", "1"], 1, "tol must be from"),
+        (["survival", "brott"], 1, "reverses its force"),
+        (["survival", "brott-physical", "--half-width", "0"], 1, "half_width must be"),
         (["new", "plane.txt"], 2, "expected a name ending in .toml"),
         (["simulate", "brot"], 1, "did you mean brott?"),
         (["simulate", "none.toml"], 1, "cannot read none.toml: No such file"),

@@ -28,6 +28,8 @@ COMMANDS = {
     "trim": "Every steady turn under a side force.",
     "map": "A stability margin over any two parameters, with a picture.",
     "place": "Where the main gear should stand, within limits.",
+    "ensemble": "Many ground rolls at once, with a picture: a grid or a draw.",
+    "survival": "How hard a kick it survives, beside what the linear model says.",
     "check": "What an aircraft file says, what follows, what is missing.",
     "new": "An aircraft file to fill in.",
     "fit-tire": "Parameters of the non-linear tire from measured forces.",

@@ -30,7 +30,7 @@ _POINTS = 201
 
 @dataclass(frozen=True)
 class Grid:
-    """A parameter and its values along an axis.
+    """A parameter or initial state and its values along an axis.
 
     Attributes
     ----------
@@ -40,11 +40,21 @@ class Grid:
         Symbol and values in the SI unit, as `groundloop.stability_map` takes them.
     unit : str
         Unit that the range was given in; empty for the SI unit.
+    points : int, optional
+        Number of values, if the range names one.
     """
 
     symbol: str
     values: tuple[str, Any]
     unit: str
+    points: int | None = None
+
+    def spread(self, points: int) -> Any:
+        """As many values as the range names, or else `points`."""
+        import numpy as np
+
+        values = self.values[1]
+        return np.linspace(values[0], values[-1], self.points or points)
 
 
 class Quantity(ParamType):
@@ -66,37 +76,82 @@ class Quantity(ParamType):
 
 
 class Range(ParamType):
-    """``name=low:high`` or ``name=low:high:points``, with units."""
+    """``name=low:high`` or ``name=low:high:points``, with units.
+
+    Names are those of parameters, and of whatever else is given with its unit in `others`.
+    """
 
     name = "name=low:high[:points]"
 
-    def convert(self, value: Any, param: Any, ctx: Any) -> Grid:
-        import numpy as np
+    def __init__(self, others: Mapping[str, str] | None = None) -> None:
+        self.others = dict(others or {})
 
-        from groundloop.aircraft import in_si, parameter_symbols
+    def convert(self, value: Any, param: Any, ctx: Any) -> Grid:
+        from groundloop.aircraft import parameter_symbols
         from groundloop.errors import GroundloopError
+        from groundloop.generated.names import QUANTITIES
         from groundloop.names import symbol
 
         if isinstance(value, Grid):
             return value
-        name, _, text = str(value).partition("=")
-        low, _, rest = text.partition(":")
-        high, _, points = rest.partition(":")
-        if not (name and low and high):
+        name, _, text = (part.strip() for part in str(value).partition("="))
+        if not (name and _split(text)):
             self.fail(f"found {value!r}; expected name=low:high, such as a=-1 m:1 m", param, ctx)
         try:
-            key = symbol(name.strip(), "parameter", parameter_symbols())
-            ends = [float(in_si(end, key, name)) for end in (low, high)]
-            count = int(points or _POINTS)
+            if name in self.others:
+                return _grid(name, name, text, self.others[name])
+            key = symbol(name, "parameter", parameter_symbols())
+            return _grid(key, name, text, QUANTITIES[key].unit)
         except (GroundloopError, ValueError) as problem:
             self.fail(str(problem), param, ctx)
-        if not (ends[0] < ends[1] and count >= 2):
-            self.fail(f"found {value!r}; expected low < high and 2 or more points", param, ctx)
-        unit = low.strip().lstrip("+-0123456789.eE").strip()
-        return Grid(key, (key, np.linspace(ends[0], ends[1], count)), unit)
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
         return Assignment().shell_complete(ctx, param, incomplete)
+
+
+class QuantityOrRange(Quantity):
+    """A number with a unit, or ``low:high`` or ``low:high:points`` of them."""
+
+    def __init__(self, key: str, unit: str) -> None:
+        super().__init__(unit)
+        self.name = "quantity|range"
+        self.key = key
+
+    def convert(self, value: Any, param: Any, ctx: Any) -> Any:
+        from groundloop.errors import GroundloopError
+
+        if isinstance(value, Grid) or ":" not in str(value):
+            return value if isinstance(value, Grid) else super().convert(value, param, ctx)
+        if not _split(value):
+            self.fail(f"found {value!r}; expected low:high, such as 1:2", param, ctx)
+        try:
+            return _grid(self.key, self.key, value, self.unit)
+        except (GroundloopError, ValueError) as problem:
+            self.fail(str(problem), param, ctx)
+
+
+def _split(text: str) -> tuple[str, str, str] | None:
+    """Low, high and number of points of a range as written; None if an end is missing."""
+    low, _, rest = text.partition(":")
+    high, _, points = (part.strip() for part in rest.partition(":"))
+    return (low.strip(), high, points) if low.strip() and high else None
+
+
+def _grid(key: str, name: str, text: str, unit: str) -> Grid:
+    """A range as written, in the SI unit."""
+    import numpy as np
+
+    from groundloop.units import to_si
+
+    low, high, points = _split(text) or ("", "", "")
+    ends = [to_si(end, unit, name) for end in (low, high)]
+    if points and not points.isdecimal():
+        raise ValueError(f"found {points!r} points; expected a whole number")
+    count = int(points) if points else None
+    if not (ends[0] < ends[1] and (count is None or count >= 2)):
+        raise ValueError(f"found {name}={text!r}; expected low < high and 2 or more points")
+    shown = low.lstrip("+-0123456789.eE").strip()
+    return Grid(key, (key, np.linspace(ends[0], ends[1], count or _POINTS)), shown, count)
 
 
 class AircraftName(ParamType):
@@ -176,7 +231,14 @@ def tire(default: str = "nonlinear") -> Callable[[F], F]:
 def quantity(name: str, unit: str, text: str, **settings: Any) -> Callable[[F], F]:
     """An option with a unit; the command gets it under its own name, upper case or lower."""
     words = f"{text} A bare number is in {unit}."
-    return click.option(f"--{name}", name, type=Quantity(unit), help=words, **settings)
+    own = name.replace("-", "_")
+    return click.option(f"--{name}", own, type=Quantity(unit), help=words, **settings)
+
+
+def varied(name: str, key: str, unit: str, text: str, **settings: Any) -> Callable[[F], F]:
+    """An option with a unit that may be a range, of the parameter or initial state `key`."""
+    words = f"{text} A bare number is in {unit}; low:high[:points] is a range."
+    return click.option(f"--{name}", name, type=QuantityOrRange(key, unit), help=words, **settings)
 
 
 def speed(command: F) -> F:
