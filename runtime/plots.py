@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
@@ -17,7 +17,6 @@ from .units import from_si
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
     from .arrays import FloatArray
     from .simulation import Trajectory
@@ -92,7 +91,7 @@ def time_history(
     run: Trajectory,
     names: Sequence[str] = ("y", "theta"),
     ax: Axes | Sequence[Axes] | None = None,
-) -> Figure:
+) -> tuple[Axes, ...]:
     """Plot states or outputs of a run over time.
 
     Parameters
@@ -106,8 +105,8 @@ def time_history(
 
     Returns
     -------
-    Figure
-        The figure that was drawn on.
+    tuple of Axes
+        One for each name; ``axes[0].figure`` is the picture.
 
     Raises
     ------
@@ -125,7 +124,7 @@ def time_history(
         axes[-1].set_xlabel("time (s)")
         if 1 < run["v"].reshape(-1, run.t.size).shape[0] <= _MOST_LABELS:
             axes[0].legend()
-    return cast("Figure", cast(Any, axes[0].figure).figure)  # of a subfigure, the whole
+    return tuple(axes)
 
 
 def _axes(ax: Axes | Sequence[Axes] | None, count: int) -> list[Axes]:

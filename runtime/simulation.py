@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     import pandas
     import xarray
-    from matplotlib.figure import Figure
+    from matplotlib.axes import Axes
 
     from .metrics import Metrics
 
@@ -69,11 +69,15 @@ class Trajectory:
 
         return metrics(self)
 
-    def plot(self, names: tuple[str, ...] = ("y", "theta")) -> Figure:
+    def plot(
+        self,
+        names: Sequence[str] = ("y", "theta"),
+        ax: Axes | Sequence[Axes] | None = None,
+    ) -> tuple[Axes, ...]:
         """Plot states or outputs over time; see `groundloop.plots.time_history`."""
         from .plots import time_history
 
-        return time_history(self, names)
+        return time_history(self, names, ax)
 
     def to_xarray(self) -> xarray.Dataset:
         """States, outputs and input as a Dataset; see `groundloop.tables.run_to_xarray`."""

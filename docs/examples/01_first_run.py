@@ -10,4 +10,4 @@ print(run.metrics())
 tricycle = plane.replace(main_gear_arm="-0.5 m", tail_wheel_stiffness=0.0)  # units are welcome
 print(gl.linearize(tricycle, tire="linear"))
 
-run.plot(("y", "theta")).savefig("first_run.png")
+run.plot(("y", "theta"))[0].figure.savefig("first_run.png")

@@ -103,7 +103,7 @@ def command(
         metrics = run.metrics()
     emit(Output(_text(run, metrics), _rows(run), _data(run, metrics)), form, out)
     names = tuple(name.strip() for name in show.split(","))
-    figure = partial(_runway, run) if view == "runway" else partial(run.plot, names)
+    figure = partial(_runway, run) if view == "runway" else partial(_history, run, names)
     options.draw(figure, f"{run.aircraft.name}-simulate", form, plot, plotless)
 
 
@@ -162,3 +162,7 @@ def _data(run: Trajectory, metrics: Metrics) -> dict[str, Any]:
         **run.values,
         "metrics": {name: getattr(metrics, name) for name in _METRICS},
     }
+
+
+def _history(run: Trajectory, names: tuple[str, ...]) -> Any:
+    return run.plot(names)[0].figure
