@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -54,6 +55,7 @@ def load_ensemble(path: str | Path, *, other_equations: bool = False) -> Ensembl
     """
     record = read(path, "ensemble", other_equations=other_equations)
     arrays = record.arrays
+    named: dict[str, Any] = {s: Named(under(f"{s}/", arrays), what) for s, what in _NAMED.items()}
     return Ensemble(
         aircraft=record.aircraft,
         start=under("start/", arrays),
@@ -62,7 +64,7 @@ def load_ensemble(path: str | Path, *, other_equations: bool = False) -> Ensembl
         steps=np.asarray(arrays["steps"], np.int32),
         estimate=arrays["estimate"],
         at=arrays["at"],
-        **{name: Named(under(f"{name}/", arrays), what) for name, what in _NAMED.items()},
+        **named,
         **record.about,
     )
 
