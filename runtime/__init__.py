@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from .aircraft import Aircraft
     from .basins import Basin, basin
     from .checking import Check, check
-    from .ensemble_result import Ensemble
     from .ensemble_records import load_ensemble, load_sweep
+    from .ensemble_result import Ensemble
     from .ensembles import ensemble
     from .errors import GroundloopError
     from .integration import integrator
