@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 3ba21d2e141ae0f0) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 18c0e5805bf0e184) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "3ba21d2e141ae0f0"
+DIGEST = "18c0e5805bf0e184"
 
 QUANTITIES = {
     q.symbol: q

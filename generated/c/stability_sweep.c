@@ -1,6 +1,6 @@
-/* Generated from derive/ (digest 3ba21d2e141ae0f0) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
-/* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0, and
- * y[k] a column, or NULL if it is not wanted. */
+/* Generated from derive/ (digest 18c0e5805bf0e184) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0,
+ * and y[k] a column, or NULL if it is not wanted. */
 #include <math.h>
 #include <stdint.h>
 
@@ -14,33 +14,37 @@ static inline double larger(double a, double b) { return a > b || b != b ? a : b
 static inline double smaller(double a, double b) { return a < b || b != b ? a : b; }
 
 /* One block of points, every argument a column of it. */
-static void sweep_block(block_function *f, int n_in, int n_out, int64_t from, int64_t n,
+static void sweep_block(block_function *f, int n_in, int n_out, int64_t from, int64_t end,
     double (*same)[POINTS], const double *const *p, const int64_t *stride, double *const *y)
 {
     const double *columns[MOST];
-    double *results[MOST], unwanted[POINTS];
+    double *results[MOST], unwanted[POINTS] __attribute__((aligned(64)));
     for (int k = 0; k < n_in; ++k)
         columns[k] = stride[k] ? p[k] + from : same[k];
     for (int k = 0; k < n_out; ++k)
         results[k] = y[k] ? y[k] + from : unwanted;
-    f(n, columns, results);
+    f(end - from < POINTS ? end - from : POINTS, columns, results);
 }
 
 static void sweep(block_function *f, int n_in, int n_out, int64_t n, int64_t threads,
     const double *const *p, const int64_t *stride, double *const *y)
 {
-    double same[MOST][POINTS];
+    double same[MOST][POINTS] __attribute__((aligned(64)));
     for (int k = 0; k < n_in; ++k)
         for (int i = 0; i < POINTS && !stride[k]; ++i)
             same[k][i] = *p[k];
+    /* a short block first, so that the others begin where a line of the cache does */
+    const int64_t odd = (8 - (int64_t)((uintptr_t)y[0] / sizeof(double) % 8)) % 8;
+    const int64_t head = odd < n ? odd : n;
+    sweep_block(f, n_in, n_out, 0, head, same, p, stride, y);
     if (threads <= 1) {
-        for (int64_t from = 0; from < n; from += POINTS)
-            sweep_block(f, n_in, n_out, from, n - from < POINTS ? n - from : POINTS, same, p, stride, y);
+        for (int64_t from = head; from < n; from += POINTS)
+            sweep_block(f, n_in, n_out, from, n, same, p, stride, y);
         return;
     }
 #pragma omp parallel for schedule(static) num_threads((int)threads)
-    for (int64_t from = 0; from < n; from += POINTS)
-        sweep_block(f, n_in, n_out, from, n - from < POINTS ? n - from : POINTS, same, p, stride, y);
+    for (int64_t from = head; from < n; from += POINTS)
+        sweep_block(f, n_in, n_out, from, n, same, p, stride, y);
 }
 
 static void state_matrix_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, double *y0, double *y1, double *y2, double *y3)
