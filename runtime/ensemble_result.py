@@ -18,6 +18,9 @@ from .names import symbol
 if TYPE_CHECKING:
     from pathlib import Path
 
+    import pandas
+    import xarray
+
 
 class Named(Mapping[str, FloatArray]):
     """Arrays by symbol or by full name."""
@@ -107,6 +110,18 @@ class Ensemble:
     def __getitem__(self, name: str) -> FloatArray:
         """Samples of a state or output if there are any, its final values otherwise."""
         return (self.samples if self.at.size else self.final)[name]
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All arrays as a Dataset; see `groundloop.tables.ensemble_to_xarray`."""
+        from .tables import ensemble_to_xarray
+
+        return ensemble_to_xarray(self)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row for each trajectory; see `groundloop.tables.ensemble_to_pandas`."""
+        from .tables import ensemble_to_pandas
+
+        return ensemble_to_pandas(self)
 
     def save(self, path: str | Path) -> Path:
         """Write to an npz file with all that went in; `groundloop.load_ensemble` reads it."""

@@ -21,6 +21,8 @@ from .stability import CLOSED_FORMS, OVER_SPEED
 if TYPE_CHECKING:
     from pathlib import Path
 
+    import xarray
+
 #: Name of a result -> generated function, its result.
 SWEPT = {
     **{name: ("linear_modes", name) for name in ("re_1", "im_1", "re_2", "im_2")},
@@ -58,6 +60,12 @@ class Sweep(Mapping[str, FloatArray]):
 
     def __len__(self) -> int:
         return len(self.arrays)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All arrays as a Dataset; see `groundloop.tables.sweep_to_xarray`."""
+        from .tables import sweep_to_xarray
+
+        return sweep_to_xarray(self)
 
     def save(self, path: str | Path) -> Path:
         """Write to an npz file with the aircraft; `groundloop.load_sweep` reads it."""

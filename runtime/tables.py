@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -18,9 +18,10 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-    from .aircraft import Aircraft
+    from .ensemble_result import Ensemble
     from .linearization import Linearization
     from .simulation import Trajectory
+    from .sweeps import Sweep
 
 #: What is read from the eigenvalues: attributes of a linearization, one number for each point.
 _READ_OFF = ("decay_rate", "damping_ratio", "natural_frequency", "damped_frequency")
@@ -42,7 +43,7 @@ def run_to_xarray(run: Trajectory) -> Dataset:
     xarray = _needed("xarray", "to_xarray()")
     dataset: Dataset = xarray.Dataset(
         variables,
-        coords={"t": time, **_varied(run.aircraft, shape, dims)},
+        coords={"t": time, **_varied(run.aircraft.given, shape, dims)},
         attrs={**_about(run), "disturbance": "constant" if run.gust is None else run.gust.label},
     )
     return dataset
@@ -86,7 +87,7 @@ def linearization_to_xarray(lin: Linearization) -> Dataset:
         "input": list(lin.inputs),
         "output": list(lin.outputs),
     }
-    coords = {**labels, **_varied(lin.aircraft, shape, dims)}
+    coords = {**labels, **_varied(lin.aircraft.given, shape, dims)}
     xarray = _needed("xarray", "to_xarray()")
     dataset: Dataset = xarray.Dataset({**variables, **numbers}, coords=coords, attrs=_about(lin))
     return dataset
@@ -112,6 +113,62 @@ def linearization_to_pandas(lin: Linearization) -> DataFrame:
     frame = pandas.DataFrame({**varied, **modes, **values}, index=index)
     frame.attrs = _about(lin)
     return frame
+
+
+def ensemble_to_xarray(ensemble: Ensemble) -> Dataset:
+    """Status, final states, samples and extremes of an ensemble as an xarray.Dataset.
+
+    Extremes are called ``largest_alpha`` and ``first_alpha``; with samples over ``t`` the final
+    states are called ``final_v``. Parameters and initial states that vary are coordinates.
+    """
+    xarray = _needed("xarray", "to_xarray()")
+    shape = ensemble.status.shape
+    dims = _dimensions(shape)
+    time = ("t", ensemble.at, {"units": "s", "long_name": "time"})
+    samples = {s: ((*dims, "t"), v, _attributes(s)) for s, v in ensemble.samples.items()}
+    dataset: Dataset = xarray.Dataset(
+        {**{name: (dims, v) for name, v in _of_each(ensemble).items()}, **samples},
+        coords={
+            **({"t": time} if ensemble.at.size else {}),
+            **_varied(ensemble.aircraft.given, shape, dims),
+        },
+        attrs={**_about(ensemble), "statuses": ", ".join(ensemble.STATUS)},
+    )
+    return dataset
+
+
+def ensemble_to_pandas(ensemble: Ensemble) -> DataFrame:
+    """Status, final states and extremes as a pandas.DataFrame, one row for each trajectory."""
+    pandas = _needed("pandas", "to_pandas()")
+    frame: DataFrame = pandas.DataFrame({s: v.ravel() for s, v in _of_each(ensemble).items()})
+    frame.attrs = _about(ensemble)
+    return frame
+
+
+def sweep_to_xarray(sweep: Sweep) -> Dataset:
+    """The results of a sweep as an xarray.Dataset; parameters that vary are coordinates."""
+    xarray = _needed("xarray", "to_xarray()")
+    shape = next(iter(sweep.arrays.values())).shape
+    dims = _dimensions(shape)
+    dataset: Dataset = xarray.Dataset(
+        {name: (dims, values) for name, values in sweep.arrays.items()},
+        coords=_varied(sweep.aircraft.given, shape, dims),
+        attrs={"aircraft": sweep.aircraft.name, **provenance()},
+    )
+    return dataset
+
+
+def _of_each(ensemble: Ensemble) -> dict[str, Any]:
+    """What there is one of for each trajectory, with what varies of its start, by name."""
+    final = "final_" if ensemble.at.size else ""
+    varied = {f"{s}0": np.asarray(v) for s, v in ensemble.start.items() if np.ndim(v)}
+    return {
+        "status": ensemble.status,
+        **{s: np.broadcast_to(v, ensemble.status.shape) for s, v in varied.items()},
+        **{f"{final}{s}": v for s, v in ensemble.final.items()},
+        **{f"largest_{s}": v for s, v in ensemble.largest.items()},
+        **{f"first_{s}": v for s, v in ensemble.first.items()},
+    }
 
 
 def run_to_html(run: Trajectory) -> str:
@@ -155,16 +212,16 @@ def _attributes(name: str) -> dict[str, str]:
     return {"units": q.unit, "long_name": q.name.replace("_", " "), "description": q.meaning}
 
 
-def _about(result: Trajectory | Linearization) -> dict[str, str]:
+def _about(result: Trajectory | Linearization | Ensemble) -> dict[str, str]:
     return {"aircraft": result.aircraft.name, "tire": result.tire, **provenance()}
 
 
 def _varied(
-    aircraft: Aircraft, shape: tuple[int, ...], dims: tuple[str, ...]
+    given: Mapping[str, FloatArray], shape: tuple[int, ...], dims: tuple[str, ...]
 ) -> dict[str, tuple[tuple[str, ...], FloatArray, dict[str, str]]]:
     """Parameters that are arrays, each along the dimensions in which it varies."""
     coordinates = {}
-    for name, value in aircraft.given.items():
+    for name, value in given.items():
         own = dims[len(shape) - value.ndim :] if value.ndim else ()
         along = tuple(d for d, n in zip(own, value.shape, strict=True) if n > 1)
         if along:

@@ -183,6 +183,24 @@ def test_a_linearization_in_tables(plane: gl.Aircraft) -> None:
     assert single["decay_rate"][0] == gl.linearize(plane).decay_rate
 
 
+def test_an_ensemble_and_a_sweep_in_tables(plane: gl.Aircraft) -> None:
+    arms, kicks = np.array([[0.2], [0.6]]), np.array([0.1, 0.2, 0.4])
+    many = gl.ensemble(plane, t=1.0, at=[0.5, 1.0], a=arms, v0=kicks, extremes=["alpha"])
+    data = many.to_xarray()
+    assert data["v"].dims == ("run_0", "run_1", "t")
+    assert np.array_equal(data["v"], many["v"])
+    assert np.array_equal(data["largest_alpha"], many.largest["alpha"])
+    assert np.array_equal(data["a"], [0.2, 0.6])
+    assert np.array_equal(data["v0"][0], kicks)
+    frame = many.to_pandas()
+    assert len(frame) == 6
+    assert np.array_equal(frame["final_v"], many.final["v"].ravel())
+    points = gl.sweep(plane, ["decay_rate"], speed=np.linspace(10.0, 40.0, 5))
+    table = points.to_xarray()
+    assert np.array_equal(table["decay_rate"], points["decay_rate"])
+    assert np.array_equal(table["u"], points.aircraft["speed"])
+
+
 @pytest.mark.parametrize("package", ["xarray", "pandas"])
 def test_a_missing_extra_is_named(
     run: gl.Trajectory, package: str, monkeypatch: pytest.MonkeyPatch
