@@ -6,7 +6,7 @@ BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed
 
 .DEFAULT_GOAL := study
-.PHONY: study derive compile test lint types drift unit docs bench clean help
+.PHONY: study derive compile test lint types drift unit pythons docs bench clean help
 
 study: compile  ## every table and figure of the thesis, into ./study (the default)
 	$(BIN)/groundloop study --out study
@@ -39,6 +39,11 @@ drift: $(STAMP)  ## generated/ is exactly what derive/ makes
 
 unit: $(STAMP)  ## the test suite
 	$(BIN)/python -m pytest -n 2
+
+pythons:  ## the test suite on other Pythons: make pythons PYTHONS="python3.12 python3.13"
+	for python in $(PYTHONS); do \
+	    $(MAKE) unit PYTHON=$$python VENV=build/venv-$$python || exit 1; \
+	done
 
 docs: $(STAMP)  ## the documentation, into docs/_build
 	$(BIN)/python -m sphinx --fail-on-warning --keep-going -q docs docs/_build
