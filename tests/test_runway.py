@@ -128,6 +128,13 @@ def test_a_film_has_a_picture_for_each_moment(loop: gl.Trajectory, tmp_path: Pat
     assert [p.name for p in tmp_path.iterdir()] == ["roll.gif"]
 
 
+@pytest.mark.skipif(not FFMpegWriter.isAvailable(), reason="ffmpeg is not there")
+def test_a_film_for_a_video_player(loop: gl.Trajectory, tmp_path: Path) -> None:
+    short = gl.simulate(loop.aircraft, v0=0.1, t=0.5, samples=11)
+    path = gl.animate(short, tmp_path / "roll.mp4", fps=5, dpi=40)
+    assert path.read_bytes()[4:8] == b"ftyp"
+
+
 @pytest.mark.skipif(FFMpegWriter.isAvailable(), reason="ffmpeg is there")
 def test_a_film_without_ffmpeg_says_so(loop: gl.Trajectory, tmp_path: Path) -> None:
     with pytest.raises(gl.GroundloopError, match=r"needs ffmpeg.*\.gif works"):
