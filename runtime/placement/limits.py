@@ -55,7 +55,8 @@ KINDS = {
 LOAD = {"taildragger": "tail_wheel_load", "tricycle": "nose_wheel_load"}
 ANGLE = {"taildragger": "nose_over", "tricycle": "tip_back"}
 
-#: Where the numbers of `Limits.textbook` come from.
+#: Where the numbers of `Limits.textbook` come from, as commonly quoted: the book itself was not at
+#: hand when they were written down, so check them before a design rests on them.
 SOURCES = {
     "nose_over": "16 to 25 deg from the vertical back to the CG, seen from the main wheels, for"
     " every CG: D. P. Raymer, Aircraft Design: A Conceptual Approach (AIAA), ch. 11",
