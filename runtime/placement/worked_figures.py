@@ -74,6 +74,7 @@ def _draw_model(ax: Axes, free: Placement, held: Placement, n: int, words: str) 
             color=colour,
             mfc="white" if n else colour,
             ms=7,
+            clip_on=False,
             label=label if n == 0 else None,
             linestyle="none",
         )
