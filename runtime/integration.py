@@ -67,7 +67,9 @@ def integrator(
     -------
     casadi.Function
         x0 : (7, 1) initial state; u : (1, 1) or (1, N) inputs; p : (n, 1) parameters, in the
-        order of ``generated.MODELS[tire]``; xf : (7, N) states at the times `t`.
+        order of ``generated.MODELS[tire]``; xf : (7, N) states at the times `t`. CasADi's own
+        rules hold for its arguments: a scalar stands for every element, and what is left out is
+        zero. `simulate` is the checked way in.
 
     Raises
     ------
