@@ -50,7 +50,7 @@ class CasadiPrinter(CodePrinter):  # type: ignore[misc]
         *branches, (last, certain) = expr.args
         if certain != sp.true:
             raise NotImplementedError(f"{expr} has no otherwise-branch")
-        text: str = self._print(last)
+        text: str = "ca.SX.nan()" if last is sp.nan else self._print(last)
         for value, condition in reversed(branches):
             text = f"ca.if_else({self._condition(condition)}, {self._print(value)}, {text})"
         return text

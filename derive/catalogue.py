@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -77,22 +77,25 @@ def model_functions(model: Model) -> tuple[FunctionSpec, ...]:
 
 def _loads_module() -> Module:
     """One function for each parameter that follows from others where it is not given."""
-    chain = loads.static_loads()
-    functions = []
+    functions = (
+        *_following(loads.static_loads(), "follows"),
+        *_following(loads.nose_wheel_loads(), "follows_with_nose_wheel"),
+    )
+    return Module("loads", "What follows from CG and gear positions.", functions)
+
+
+def _following(chain: Chain, suffix: str) -> Iterator[FunctionSpec]:
     for equation in chain:
         if equation.lhs not in PARAMETERS:
             continue
         # stop at every quantity that an aircraft file may give instead
         inner = tuple(e for e in chain if e is equation or e.lhs not in PARAMETERS)
         inner = needed(inner, [equation.lhs])
-        free = {s for e in inner for s in e.rhs.free_symbols} - {e.lhs for e in inner}
-        arguments = [q for q in PARAMETERS if q in free]
         summary = (
             f"{equation.lhs.meaning[0].upper()}{equation.lhs.meaning[1:]} ({equation.source})."
         )
-        name = f"{equation.lhs}_follows"
-        functions.append(scalar_function(name, summary, arguments, [equation.lhs], inner))
-    return Module("loads", "What follows from CG and gear positions.", tuple(functions))
+        name = f"{equation.lhs}_{suffix}"
+        yield scalar_function(name, summary, ordered(inner), [equation.lhs], inner)
 
 
 def _tire_module() -> Module:

@@ -11,11 +11,15 @@ from .catalogue import Module
 from .equation import Chain
 from .kick import kick
 from .kinematics import path_rates
-from .loads import static_loads
+from .loads import nose_wheel_loads, static_loads
 from .model import Model
 from .quantities import Quantity
 from .stability_sections import stability_sections
 
+_NOSE_WHEEL = (
+    "What is otherwise with the main gear behind the CG: the nose wheel carries what it leaves."
+    " Where this is NaN, the equations above hold."
+)
 _KICK = "A side impulse changes the motion before any tire can answer."
 
 
@@ -35,6 +39,7 @@ def equation_sheet(derived: Sequence[Module]) -> str:
     for model in models:
         lines += _model_section(model)
     lines += _section("Loads and stiffnesses", static_loads())
+    lines += _section("Loads with a nose wheel", nose_wheel_loads(), _NOSE_WHEEL)
     lines += _section("A kick", kick(), _KICK)
     for title, chain, text in (*stability_sections(models), *placement.sections()):
         lines += _section(title, chain, text)

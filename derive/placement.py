@@ -15,7 +15,7 @@ import sympy as sp
 from . import closed_forms as closed
 from .closed_forms import STATE_MATRIX, A_rr, A_rv, A_vr, A_vv, det, trace
 from .equation import Chain, Equation
-from .loads import static_loads
+from .loads import main_gear_share, static_loads
 from .quantities import (
     B3,
     C3,
@@ -137,12 +137,9 @@ def _static(quantity: Quantity) -> Equation:
 
 def geometry() -> Chain:
     """Arms from the CG, and the share of the weight on the main gear."""
-    balance = _static(f)  # b/L, with the third wheel in place of the tail wheel
-    return (
-        _static(a),
-        _static(b),
-        Equation(f, (x_third - x_cg) / (x_third - x_main), balance.source),
-    )
+    arm = _static(a)
+    share = main_gear_share(x_third - x_cg).subs(a, arm.rhs)
+    return arm, _static(b), Equation(f, share, _static(f).source)
 
 
 def worn_tire() -> Chain:

@@ -83,7 +83,7 @@ def _require_number(expr: sp.Expr, what: str) -> None:
 
 
 def _common_unit(expr: sp.Basic) -> sp.Expr:
-    terms = [(term, unit_of(term)) for term in expr.args if term != 0]
+    terms = [(term, unit_of(term)) for term in expr.args if term not in (0, sp.nan)]
     first, expected = terms[0]
     for term, found in terms[1:]:
         if found != expected:

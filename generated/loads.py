@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 18c0e5805bf0e184) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 1628839fde5db251) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """What follows from CG and gear positions."""
 
 from functools import cache
@@ -236,4 +236,60 @@ def Ct_follows() -> ca.Function:
         [Ct],
         ["F_tail_load", "K1", "K2", "K3", "K4"],
         ["Ct"],
+    )
+
+
+@cache
+def f_follows_with_nose_wheel() -> ca.Function:
+    """Fraction of the weight on the main gear (balance of moments).
+
+    Inputs
+    ------
+    a : scalar [m], main gear ahead of the CG (positive: taildragger)
+    x_cg : scalar [m], the CG behind the datum
+    x_nose : scalar [m], the nose wheel behind the datum
+
+    Outputs
+    -------
+    f : 1 x 1, fraction of the weight on the main gear [1]
+    """
+    a = ca.SX.sym("a")
+    x_cg = ca.SX.sym("x_cg")
+    x_nose = ca.SX.sym("x_nose")
+    f = ca.if_else(a < 0, (-x_cg + x_nose)/(a - x_cg + x_nose), ca.SX.nan())  # balance of moments
+    return ca.Function(
+        "f_follows_with_nose_wheel",
+        [a, x_cg, x_nose],
+        [f],
+        ["a", "x_cg", "x_nose"],
+        ["f"],
+    )
+
+
+@cache
+def F_tail_load_follows_with_nose_wheel() -> ca.Function:
+    """Vertical load on the tail wheel (balance of moments).
+
+    Inputs
+    ------
+    m : scalar [kg], total mass
+    a : scalar [m], main gear ahead of the CG (positive: taildragger)
+    g : scalar [m/s^2], acceleration due to gravity
+    f : scalar [1], fraction of the weight on the main gear
+
+    Outputs
+    -------
+    F_tail_load : 1 x 1, vertical load on the tail wheel [N]
+    """
+    m = ca.SX.sym("m")
+    a = ca.SX.sym("a")
+    g = ca.SX.sym("g")
+    f = ca.SX.sym("f")
+    F_tail_load = ca.if_else(a < 0, g*m*ca.fmin(0, 1 - f), ca.SX.nan())  # balance of moments
+    return ca.Function(
+        "F_tail_load_follows_with_nose_wheel",
+        [m, a, g, f],
+        [F_tail_load],
+        ["m", "a", "g", "f"],
+        ["F_tail_load"],
     )

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 18c0e5805bf0e184) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 1628839fde5db251) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "18c0e5805bf0e184"
+DIGEST = "1628839fde5db251"
 
 QUANTITIES = {
     q.symbol: q
@@ -217,6 +217,8 @@ FUNCTIONS = {
     "F_tail_load_follows": ("loads", "F_tail_load_follows", "loads"),
     "C_alpha_follows": ("loads", "C_alpha_follows", "loads"),
     "Ct_follows": ("loads", "Ct_follows", "loads"),
+    "f_follows_with_nose_wheel": ("loads", "f_follows_with_nose_wheel", "loads"),
+    "F_tail_load_follows_with_nose_wheel": ("loads", "F_tail_load_follows_with_nose_wheel", "loads"),
     "tire_force": ("tire", "tire_force", "tire"),
     "magic_formula": ("tire", "magic_formula", "tire"),
     "measured_coefficients": ("tire", "measured_coefficients", "tire"),

@@ -22,11 +22,18 @@ from .names import signature, symbol
 from .units import to_si
 
 #: What nothing follows from, but limits of the CG and of the gear are set by.
-_APART = ("x_forward", "x_aft", "h_cg", "x_nose", "u_lift")
+_APART = ("x_forward", "x_aft", "h_cg", "u_lift")
 #: What follows from others where it is not given.
 FOLLOWS = frozenset(
     name.removesuffix("_follows") for name in FUNCTIONS if name.endswith("_follows")
 )
+#: Endings of the functions by which it does: the first that gives a number counts.
+_WAYS = ("_follows_with_nose_wheel", "_follows")
+
+
+@cache
+def _ways(key: str) -> tuple[str, ...]:
+    return tuple(key + ending for ending in _WAYS if key + ending in FUNCTIONS)
 
 
 @cache
@@ -34,7 +41,7 @@ def parameter_symbols() -> tuple[str, ...]:
     """What an aircraft may be given: parameters of the models, of what follows, and limits."""
     wanted = [p for model in MODELS.values() for p in model.parameters]
     for name in sorted(FOLLOWS):
-        wanted += [name, *build(f"{name}_follows").name_in()]
+        wanted += [name, *(s for way in _ways(name) for s in build(way).name_in())]
     present = {*wanted, *_APART}
     return tuple(s for s in QUANTITIES if s in present)
 
@@ -77,8 +84,8 @@ class Aircraft:
     """The parameters of an aircraft, by symbol (``a``) or full name (``main_gear_arm``).
 
     A parameter that is not given follows from others where it can: arms from stations, loads
-    from arms, stiffnesses from loads (`groundloop.generated.loads`). Any may be an array; they
-    broadcast.
+    from arms, or from the nose wheel's station with the main gear behind the CG, stiffnesses from
+    loads (`groundloop.generated.loads`). Any may be an array; they broadcast.
 
     Attributes
     ----------
@@ -190,6 +197,19 @@ class Aircraft:
             return False
         return True
 
+    def follows_from(self, name: str) -> tuple[str, ...]:
+        """Symbols of what a parameter follows from, or would if it were not given.
+
+        Of an array any element counts.
+
+        Raises
+        ------
+        GroundloopError
+            If the name is unknown, or the parameter does not follow.
+        """
+        key = symbol(name, "parameter", parameter_symbols(), f"aircraft {self.name}")
+        return tuple(dict.fromkeys(s for way, _ in self._found(key) for s in build(way).name_in()))
+
     def parameters(self, tire: str, speed: Any = None) -> FloatArray:
         """The parameter vector of a model.
 
@@ -245,16 +265,28 @@ class Aircraft:
         return self._known[key]
 
     def _follow(self, key: str) -> FloatArray:
+        found = np.asarray(np.nan)
+        for _, value in self._found(key):
+            found = np.where(np.isnan(found), value, found)
+        return physical(key, found)
+
+    def _found(self, key: str) -> Iterator[tuple[str, FloatArray]]:
+        """Functions by which a parameter follows, with what each gives, until nothing is NaN."""
         label = _label(key)
         if key not in FOLLOWS:
             raise NotGivenError(f"aircraft {self.name}: {label} is not given", key)
-        needed = build(f"{key}_follows").name_in()
-        try:
-            arguments = {s: self._resolve(s) for s in needed}
-        except NotGivenError as problem:
-            message = f"{problem}, and {label} follows from it"
-            raise NotGivenError(message, problem.symbol) from None
-        return physical(key, elementwise(f"{key}_follows", arguments)[key])
+        for way in _ways(key):
+            try:
+                arguments = {s: self._resolve(s) for s in build(way).name_in()}
+            except NotGivenError as problem:
+                if way != f"{key}_follows":
+                    continue
+                message = f"{problem}, and {label} follows from it"
+                raise NotGivenError(message, problem.symbol) from None
+            value = elementwise(way, arguments)[key]
+            yield way, value
+            if not np.isnan(value).any():
+                return
 
     def __iter__(self) -> Iterator[str]:
         """Symbols of the parameters that have a value."""

@@ -127,7 +127,7 @@ def _parameters(plane: Aircraft) -> Iterator[Known]:
         if s in plane.given:
             yield Known(s, q.name, q.unit, plane[s], source=plane.sources.get(s, Source()))
         else:
-            yield Known(s, q.name, q.unit, plane[s], tuple(build(f"{s}_follows").name_in()))
+            yield Known(s, q.name, q.unit, plane[s], plane.follows_from(s))
 
 
 def _limits(plane: Aircraft) -> Iterator[Known]:
@@ -208,7 +208,9 @@ def _overrides(plane: Aircraft) -> Iterator[str]:
     """Given values that differ from what would follow."""
     for s in filter(FOLLOWS.__contains__, parameter_symbols()):
         other = following(plane, s) if s in plane.given else None
-        if other is None or (_gear(plane) == "tricycle" and s in ("f", "F_tail_load")):
+        if other is None:
+            continue
+        if s == "f" and _gear(plane) == "tricycle" and "x_nose" not in plane.follows_from(s):
             continue  # as if the nose wheel were a tail wheel
         if not np.allclose(plane[s], other, rtol=_OVERRIDES):
             given = in_words(s, plane[s])

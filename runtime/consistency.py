@@ -10,7 +10,6 @@ import numpy as np
 from .aircraft import FOLLOWS, Aircraft, NotGivenError, parameter_symbols
 from .arrays import FloatArray
 from .errors import GroundloopError
-from .generated import build
 from .generated.names import QUANTITIES
 
 #: How far a given length may be from the one that follows from the other data, m: what a tape
@@ -55,7 +54,13 @@ def contradictions(plane: Aircraft) -> tuple[Contradiction, ...]:
     plane : Aircraft
         The aircraft; of an array any element counts.
     """
-    found = (*_lengths(plane), *_cg_limits(plane), *_fraction(plane), *_loads(plane))
+    found = (
+        *_lengths(plane),
+        *_cg_limits(plane),
+        *_fraction(plane),
+        *_nose_wheel(plane),
+        *_loads(plane),
+    )
     return found or tuple(_impossible(plane))
 
 
@@ -86,8 +91,6 @@ def _lengths(plane: Aircraft) -> Iterator[Contradiction]:
 
 def _loads(plane: Aircraft) -> Iterator[Contradiction]:
     for key, tolerance in _LOADS.items():
-        if key == "F_tail_load" and _is_tricycle(plane):
-            continue  # what the main gear leaves is on the nose wheel
         if key in plane.given:
             yield from _disagreement(plane, key, tolerance * float(plane[key].max()))
 
@@ -95,7 +98,7 @@ def _loads(plane: Aircraft) -> Iterator[Contradiction]:
 def _disagreement(plane: Aircraft, key: str, tolerance: float) -> Iterator[Contradiction]:
     other = following(plane, key) if key in plane.given else None
     if other is not None and (np.abs(plane[key] - other) > tolerance).any():
-        sources = " and ".join(QUANTITIES[s].name for s in build(f"{key}_follows").name_in())
+        sources = " and ".join(QUANTITIES[s].name for s in plane.follows_from(key))
         yield Contradiction(
             key, words(plane, key), f"{in_words(key, other)}, which follows from {sources}"
         )
@@ -127,12 +130,23 @@ def _fraction(plane: Aircraft) -> Iterator[Contradiction]:
     if "f" in plane.given:
         if ((plane["f"] < 0) | (plane["f"] > 1)).any():
             yield Contradiction("f", words(plane, "f"), "a fraction from 0 to 1")
-    elif _is_tricycle(plane) and "f" in plane:
+    elif _is_tricycle(plane) and "f" in plane and "x_nose" not in plane.follows_from("f"):
         yield Contradiction(
             "f",
             "nothing",
-            "a fraction from 0 to 1: the main gear is behind the CG, so that a nose wheel carries"
-            " the rest",
+            "a fraction from 0 to 1, or nose_wheel_station from which it follows: the main gear is"
+            " behind the CG, so that a nose wheel carries the rest",
+        )
+
+
+def _nose_wheel(plane: Aircraft) -> Iterator[Contradiction]:
+    if not all(s in plane for s in ("a", "x_nose", "x_cg")):
+        return
+    if ((plane["a"] < 0) & (plane["x_nose"] >= plane["x_cg"])).any():
+        yield Contradiction(
+            "x_nose",
+            words(plane, "x_nose"),
+            f"a station ahead of the CG, {words(plane, 'x_cg')}: the main gear is behind it",
         )
 
 

@@ -13,9 +13,8 @@ _SECTIONS = {
     "stations": (
         ("x_cg", "x_forward", "x_aft", "x_main", "x_tail", "x_nose", "h_cg"),
         "Behind any one datum, as on a weight-and-balance sheet; negative is ahead of it.\n"
-        "A tricycle has its main gear behind the CG and no tail wheel: tail_wheel_stiffness = 0\n"
-        "and tail_wheel_load = 0. It needs its main_gear_weight_fraction, the share of the weight\n"
-        "that the nose wheel does not carry.",
+        "A tricycle has its main gear behind the CG, a nose_wheel_station, from which the loads\n"
+        "follow, and no tail wheel: tail_wheel_stiffness = 0.",
     ),
     "main_tires": (
         ("B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1", "C_alpha"),

@@ -59,6 +59,11 @@ def changed(key: str, entry: str) -> str:
     return "\n".join(lines)
 
 
+def tricycle() -> str:
+    """The brief file with its main gear behind the CG."""
+    return changed("main_gear_station", '"25 in"')
+
+
 # --- What a file may say --------------------------------------------------------------------
 
 
@@ -227,9 +232,50 @@ def test_what_agrees_within_a_tape_measure_is_no_mistake(tmp_path: Path):
 
 
 def test_a_tricycle_must_say_what_its_nose_wheel_leaves(tmp_path: Path):
-    tricycle = changed("main_gear_station", '"25 in"')
-    assert "a nose wheel carries" in the_mistake(tmp_path, tricycle).expected
-    assert load(tmp_path, f"f = 0.9\n{tricycle}")["a"] < 0
+    assert "a nose wheel carries" in the_mistake(tmp_path, tricycle()).expected
+    assert load(tmp_path, f"f = 0.9\n{tricycle()}")["a"] < 0
+
+
+def test_a_nose_wheel_without_the_cg_says_nothing(tmp_path: Path):
+    lines = [
+        s for s in BRIEF.splitlines() if not s.startswith(("cg_st", "main_gear_st", "tail_st"))
+    ]
+    arms = "\n".join(["a = -0.3", "b = 4", "x_nose = -1", *lines])
+    assert "nose_wheel_station from which it follows" in the_mistake(tmp_path, arms).expected
+
+
+def test_the_stations_of_a_tricycle_give_its_loads(tmp_path: Path):
+    plane = load(tmp_path, f"x_nose = '-35 in'\n{tricycle()}")
+    weight = plane["m"] * plane["g"]
+    assert 2 * plane["Fz"] / weight == pytest.approx(50.2 / 60)
+    assert plane["F_tail_load"] == 0
+
+
+@pytest.mark.parametrize(
+    ("lines", "key", "expected"),
+    [
+        ("x_nose = '20 in'", "x_nose", "a station ahead of the CG, 15.2 in"),
+        ("x_nose = '-35 in'\nFz = '3400 N'", "Fz", "3071.4 N, which follows from"),
+        ("x_nose = '-35 in'\nF_tail_load = '900 N'", "F_tail_load", "0 N, which follows from"),
+        ("f = 0.9\nx_nose = '20 in'", "x_nose", "the main gear is behind it"),
+    ],
+)
+def test_stations_of_a_tricycle_that_do_not_agree_are_named(
+    tmp_path: Path, lines: str, key: str, expected: str
+):
+    mistake = the_mistake(tmp_path, f"{lines}\n{tricycle()}")
+    assert mistake.key == key
+    assert expected in mistake.expected
+
+
+def test_a_fraction_beside_the_stations_of_a_tricycle_is_told(tmp_path: Path):
+    stations = f"x_nose = '-35 in'\n{tricycle()}"
+    given = load(tmp_path, f"f = 0.9\n{stations}")
+    assert given["f"] == 0.9
+    note = "main_gear_weight_fraction is given as 0.9; 0.83667 would follow"
+    assert note in gl.check(given).notes
+    agreed = gl.check(load(tmp_path, f"f = 0.8367\n{stations}"))
+    assert not any("would follow" in text for text in agreed.notes)
 
 
 def test_a_stiffness_or_fraction_that_is_given_overrides_what_follows(tmp_path: Path):
@@ -296,7 +342,8 @@ def test_the_loads_of_the_cessna_170_are_those_on_scales():
 def test_the_nose_wheel_of_the_cessna_172p_carries_the_rest():
     plane = gl.Aircraft.load("cessna-172p")
     x_cg, x_main, x_nose = (float(plane[s]) for s in ("x_cg", "x_main", "x_nose"))
-    assert plane["f"] == pytest.approx((x_cg - x_nose) / (x_main - x_nose), abs=1e-4)
+    assert plane["f"] == pytest.approx((x_cg - x_nose) / (x_main - x_nose), rel=1e-12)
+    assert "f" not in plane.given
 
 
 # --- What is usual ----------------------------------------------------------------------------

@@ -21,6 +21,7 @@ INCH = 0.0254
 
 PRINTED = gl.Aircraft.load("brott")
 PHYSICAL = gl.Aircraft.load("brott-physical")
+SKYHAWK = gl.Aircraft.load("cessna-172p")
 
 #: What `brott` fixes and `brott-physical` lets follow.
 FOLLOWING = ("f", "C_alpha", "Ct")
@@ -108,6 +109,41 @@ class TestFollowing:
         main, tail = 2 * float(plane["Fz"]), float(plane["F_tail_load"])
         assert main + tail == pytest.approx(weight, rel=1e-12)
         assert main * float(plane["a"]) == pytest.approx(tail * float(plane["b"]), rel=1e-9)
+
+    @given(*(st.floats(-3, 3), st.floats(0.05, 2), st.floats(0.05, 3), st.floats(300, 3000)))
+    def test_loads_balance_on_a_nose_wheel(self, x_cg, behind, ahead, m):
+        """Forces and moments about the datum, solved for the two axles."""
+        x_main, x_nose = x_cg + behind, x_cg - ahead
+        plane = SKYHAWK.replace(x_cg=x_cg, x_main=x_main, x_nose=x_nose, x_tail=x_cg + 5, m=m)
+        weight = float(plane["m"] * plane["g"])
+        main, nose = np.linalg.solve([[1, 1], [x_main, x_nose]], [weight, weight * x_cg])
+        assert 2 * plane["Fz"] == pytest.approx(main, rel=1e-9)
+        assert plane["f"] == pytest.approx(1 - nose / weight, rel=1e-9)
+        assert plane["F_tail_load"] == 0
+
+    def test_the_cg_moves_the_load_of_a_tricycle(self):
+        """By the lever: an inch of the CG is a 65th of the weight from nose to main gear."""
+        plane = SKYHAWK.replace(cg_station=np.array([39.4, 43.4, 47.4]) * INCH)
+        assert np.diff(plane["f"]) == pytest.approx([4 / 65, 4 / 65])
+        assert (np.diff(plane["Fz"]) > 100).all()
+        assert (np.diff(plane["C_alpha"]) > 100).all()
+        assert plane.follows_from("f") == ("a", "x_cg", "x_nose")
+
+    def test_a_gear_that_passes_the_cg_takes_the_load_to_the_other_wheel(self):
+        plane = PHYSICAL.replace(
+            nose_wheel_station="-60 in", main_gear_station=np.array([-10, 15.2, 40]) * INCH
+        )
+        weight = plane["m"] * plane["g"]
+        share = [152.8 / 178, 1, 75.2 / 100]
+        assert plane["f"] == pytest.approx(share)
+        assert plane["F_tail_load"] / weight == pytest.approx([1 - share[0], 0, 0])
+        assert (plane["Ct"][1:] == 0).all()
+        assert set(plane.follows_from("f")) == {"a", "x_cg", "x_nose", "b", "L"}
+
+    def test_placement_has_the_same_balance(self):
+        known = {k.symbol: k for k in gl.check(SKYHAWK).known}
+        assert known["third_load"].value == pytest.approx(1 - known["f"].value, rel=1e-12)
+        assert known["f"].follows_from == ("a", "x_cg", "x_nose")
 
     def test_the_cg_moves_loads_and_stiffnesses(self):
         plane = PHYSICAL.replace(cg_station=np.array([13.6, 15.2, 16.8]) * INCH)

@@ -58,6 +58,7 @@ def test_an_unknown_unit_is_refused(text: str):
         (sp.Max(v, 0), metre / second),
         (sp.Abs(a), metre),
         (sp.Piecewise((v, r > 0), (u, True)), metre / second),
+        (sp.Piecewise((v, r > 0), (sp.nan, True)), metre / second),
         (sp.Rational(2, 3), 1),
     ],
 )

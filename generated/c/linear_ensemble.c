@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 18c0e5805bf0e184) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 1628839fde5db251) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* Many trajectories side by side: DOP853, every lane with its own time, step and tolerance.
  *
  * A block holds LANES trajectories as structure of arrays; every loop over lanes is a vector

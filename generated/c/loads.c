@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 18c0e5805bf0e184) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 1628839fde5db251) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -45,12 +45,21 @@
 #define casadi_f3 CASADI_PREFIX(f3)
 #define casadi_f30 CASADI_PREFIX(f30)
 #define casadi_f31 CASADI_PREFIX(f31)
+#define casadi_f32 CASADI_PREFIX(f32)
+#define casadi_f33 CASADI_PREFIX(f33)
+#define casadi_f34 CASADI_PREFIX(f34)
+#define casadi_f35 CASADI_PREFIX(f35)
+#define casadi_f36 CASADI_PREFIX(f36)
+#define casadi_f37 CASADI_PREFIX(f37)
+#define casadi_f38 CASADI_PREFIX(f38)
+#define casadi_f39 CASADI_PREFIX(f39)
 #define casadi_f4 CASADI_PREFIX(f4)
 #define casadi_f5 CASADI_PREFIX(f5)
 #define casadi_f6 CASADI_PREFIX(f6)
 #define casadi_f7 CASADI_PREFIX(f7)
 #define casadi_f8 CASADI_PREFIX(f8)
 #define casadi_f9 CASADI_PREFIX(f9)
+#define casadi_fmin CASADI_PREFIX(fmin)
 #define casadi_s0 CASADI_PREFIX(s0)
 #define casadi_s1 CASADI_PREFIX(s1)
 #define casadi_sq CASADI_PREFIX(sq)
@@ -71,6 +80,19 @@
 #endif
 
 casadi_real casadi_sq(casadi_real x) { return x*x;}
+
+#ifndef casadi_nan
+  #define casadi_nan NAN
+#endif
+
+casadi_real casadi_fmin(casadi_real x, casadi_real y) {
+/* Pre-c99 compatibility */
+#if __STDC_VERSION__ < 199901L
+  return x<y ? x : y;
+#else
+  return fmin(x, y);
+#endif
+}
 
 /* Configuration this file was compiled with */
 CASADI_SYMBOL_EXPORT void loads_casadi_version(int* major, int* minor, int* patch) {
@@ -3453,6 +3475,971 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows_work(casadi_int *sz_arg, casadi_in
 CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 19*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* f_follows_with_nose_wheel:(a,x_cg,x_nose)->(f) */
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a1=(a0<a1);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[1]? arg[1][0] : 0;
+  a4=(a2-a3);
+  a0=(a0-a3);
+  a0=(a0+a2);
+  a4=(a4/a0);
+  a4=(a1?a4:0);
+  a1=(!a1);
+  a0=casadi_nan;
+  a1=(a1?a0:0);
+  a4=(a4+a1);
+  if (res[0]!=0) res[0][0]=a4;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int f_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f32(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int f_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void f_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void f_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void f_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int f_follows_with_nose_wheel_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int f_follows_with_nose_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real f_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* f_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* f_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* f_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* f_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int f_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int f_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_f_follows_with_nose_wheel:(a,x_cg,x_nose,out_f[1x1,0nz],fwd_a,fwd_x_cg,fwd_x_nose)->(fwd_f) */
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a1=(a0<a1);
+  a2=arg[6]? arg[6][0] : 0;
+  a3=arg[5]? arg[5][0] : 0;
+  a4=(a2-a3);
+  a5=arg[1]? arg[1][0] : 0;
+  a0=(a0-a5);
+  a6=arg[2]? arg[2][0] : 0;
+  a0=(a0+a6);
+  a4=(a4/a0);
+  a6=(a6-a5);
+  a6=(a6/a0);
+  a6=(a6/a0);
+  a0=arg[4]? arg[4][0] : 0;
+  a0=(a0-a3);
+  a0=(a0+a2);
+  a6=(a6*a0);
+  a4=(a4-a6);
+  a1=(a1?a4:0);
+  if (res[0]!=0) res[0][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_f_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f33(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_f_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_f_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_f_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_f_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_f_follows_with_nose_wheel_n_in(void) { return 7;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_f_follows_with_nose_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_f_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_f_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    case 3: return "out_f";
+    case 4: return "fwd_a";
+    case 5: return "fwd_x_cg";
+    case 6: return "fwd_x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_f_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_f_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_f_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_f_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_f_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_f_follows_with_nose_wheel:(a,x_cg,x_nose,out_f[1x1,0nz],adj_f)->(adj_a,adj_x_cg,adj_x_nose) */
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a1=(a0<a1);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[1]? arg[1][0] : 0;
+  a4=(a2-a3);
+  a0=(a0-a3);
+  a0=(a0+a2);
+  a4=(a4/a0);
+  a4=(a4/a0);
+  a2=arg[4]? arg[4][0] : 0;
+  a4=(a4*a2);
+  a3=(-a4);
+  a3=(a1?a3:0);
+  if (res[0]!=0) res[0][0]=a3;
+  a2=(a2/a0);
+  a0=(a4-a2);
+  a0=(a1?a0:0);
+  if (res[1]!=0) res[1][0]=a0;
+  a2=(a2-a4);
+  a1=(a1?a2:0);
+  if (res[2]!=0) res[2][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_f_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f34(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_f_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_f_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_f_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_f_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_f_follows_with_nose_wheel_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_f_follows_with_nose_wheel_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_f_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_f_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    case 3: return "out_f";
+    case 4: return "adj_f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_f_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_a";
+    case 1: return "adj_x_cg";
+    case 2: return "adj_x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_f_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_f_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_f_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_f_follows_with_nose_wheel:(a,x_cg,x_nose,out_f[1x1,0nz],adj_f,out_adj_a[1x1,0nz],out_adj_x_cg[1x1,0nz],out_adj_x_nose[1x1,0nz],fwd_a,fwd_x_cg,fwd_x_nose,fwd_out_f[1x1,0nz],fwd_adj_f)->(fwd_adj_a,fwd_adj_x_cg,fwd_adj_x_nose) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a1=(a0<a1);
+  a2=arg[4]? arg[4][0] : 0;
+  a3=arg[10]? arg[10][0] : 0;
+  a4=arg[9]? arg[9][0] : 0;
+  a5=(a3-a4);
+  a6=arg[1]? arg[1][0] : 0;
+  a0=(a0-a6);
+  a7=arg[2]? arg[2][0] : 0;
+  a0=(a0+a7);
+  a5=(a5/a0);
+  a7=(a7-a6);
+  a7=(a7/a0);
+  a6=(a7/a0);
+  a8=arg[8]? arg[8][0] : 0;
+  a8=(a8-a4);
+  a8=(a8+a3);
+  a6=(a6*a8);
+  a5=(a5-a6);
+  a5=(a5/a0);
+  a7=(a7/a0);
+  a6=(a7/a0);
+  a6=(a6*a8);
+  a5=(a5-a6);
+  a5=(a2*a5);
+  a6=arg[12]? arg[12][0] : 0;
+  a7=(a7*a6);
+  a5=(a5+a7);
+  a7=(-a5);
+  a7=(a1?a7:0);
+  if (res[0]!=0) res[0][0]=a7;
+  a6=(a6/a0);
+  a2=(a2/a0);
+  a2=(a2/a0);
+  a2=(a2*a8);
+  a6=(a6-a2);
+  a2=(a5-a6);
+  a2=(a1?a2:0);
+  if (res[1]!=0) res[1][0]=a2;
+  a6=(a6-a5);
+  a1=(a1?a6:0);
+  if (res[2]!=0) res[2][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f35(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_f_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_f_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_f_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_f_follows_with_nose_wheel_n_in(void) { return 13;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_f_follows_with_nose_wheel_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_f_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    case 3: return "out_f";
+    case 4: return "adj_f";
+    case 5: return "out_adj_a";
+    case 6: return "out_adj_x_cg";
+    case 7: return "out_adj_x_nose";
+    case 8: return "fwd_a";
+    case 9: return "fwd_x_cg";
+    case 10: return "fwd_x_nose";
+    case 11: return "fwd_out_f";
+    case 12: return "fwd_adj_f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_f_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_a";
+    case 1: return "fwd_adj_x_cg";
+    case 2: return "fwd_adj_x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s1;
+    case 7: return casadi_s1;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s1;
+    case 12: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_f_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_f_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* F_tail_load_follows_with_nose_wheel:(m,a,g,f)->(F_tail_load) */
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4;
+  a0=arg[1]? arg[1][0] : 0;
+  a1=0.;
+  a0=(a0<a1);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[0]? arg[0][0] : 0;
+  a2=(a2*a3);
+  a3=1.;
+  a4=arg[3]? arg[3][0] : 0;
+  a3=(a3-a4);
+  a1=casadi_fmin(a1,a3);
+  a2=(a2*a1);
+  a2=(a0?a2:0);
+  a0=(!a0);
+  a1=casadi_nan;
+  a0=(a0?a1:0);
+  a2=(a2+a0);
+  if (res[0]!=0) res[0][0]=a2;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int F_tail_load_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f36(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int F_tail_load_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void F_tail_load_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void F_tail_load_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void F_tail_load_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int F_tail_load_follows_with_nose_wheel_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int F_tail_load_follows_with_nose_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real F_tail_load_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* F_tail_load_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "g";
+    case 3: return "f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* F_tail_load_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* F_tail_load_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* F_tail_load_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int F_tail_load_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int F_tail_load_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_F_tail_load_follows_with_nose_wheel:(m,a,g,f,out_F_tail_load[1x1,0nz],fwd_m,fwd_a,fwd_g,fwd_f)->(fwd_F_tail_load) */
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
+  a0=arg[1]? arg[1][0] : 0;
+  a1=0.;
+  a0=(a0<a1);
+  a2=1.;
+  a3=arg[3]? arg[3][0] : 0;
+  a2=(a2-a3);
+  a3=casadi_fmin(a1,a2);
+  a4=arg[0]? arg[0][0] : 0;
+  a5=arg[7]? arg[7][0] : 0;
+  a5=(a4*a5);
+  a6=arg[2]? arg[2][0] : 0;
+  a7=arg[5]? arg[5][0] : 0;
+  a7=(a6*a7);
+  a5=(a5+a7);
+  a3=(a3*a5);
+  a6=(a6*a4);
+  a4=(a2<=a1);
+  a1=(a1<=a2);
+  a1=(a1+a4);
+  a4=(a4/a1);
+  a1=arg[8]? arg[8][0] : 0;
+  a4=(a4*a1);
+  a6=(a6*a4);
+  a3=(a3-a6);
+  a0=(a0?a3:0);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f37(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_F_tail_load_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_F_tail_load_follows_with_nose_wheel_n_in(void) { return 9;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_F_tail_load_follows_with_nose_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_F_tail_load_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_F_tail_load_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "g";
+    case 3: return "f";
+    case 4: return "out_F_tail_load";
+    case 5: return "fwd_m";
+    case 6: return "fwd_a";
+    case 7: return "fwd_g";
+    case 8: return "fwd_f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_F_tail_load_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_F_tail_load_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_F_tail_load_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 9;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_F_tail_load_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_F_tail_load_follows_with_nose_wheel:(m,a,g,f,out_F_tail_load[1x1,0nz],adj_F_tail_load)->(adj_m,adj_a[1x1,0nz],adj_g,adj_f) */
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6;
+  a0=arg[1]? arg[1][0] : 0;
+  a1=0.;
+  a0=(a0<a1);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=1.;
+  a4=arg[3]? arg[3][0] : 0;
+  a3=(a3-a4);
+  a4=casadi_fmin(a1,a3);
+  a5=arg[5]? arg[5][0] : 0;
+  a4=(a4*a5);
+  a6=(a2*a4);
+  a6=(a0?a6:0);
+  if (res[0]!=0) res[0][0]=a6;
+  a6=arg[0]? arg[0][0] : 0;
+  a4=(a6*a4);
+  a4=(a0?a4:0);
+  if (res[2]!=0) res[2][0]=a4;
+  a4=(a3<=a1);
+  a1=(a1<=a3);
+  a1=(a1+a4);
+  a4=(a4/a1);
+  a2=(a2*a6);
+  a2=(a2*a5);
+  a4=(a4*a2);
+  a4=(-a4);
+  a0=(a0?a4:0);
+  if (res[3]!=0) res[3][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f38(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_F_tail_load_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_F_tail_load_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_F_tail_load_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_F_tail_load_follows_with_nose_wheel_n_in(void) { return 6;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_F_tail_load_follows_with_nose_wheel_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_F_tail_load_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "g";
+    case 3: return "f";
+    case 4: return "out_F_tail_load";
+    case 5: return "adj_F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_F_tail_load_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_m";
+    case 1: return "adj_a";
+    case 2: return "adj_g";
+    case 3: return "adj_f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_F_tail_load_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 6;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_F_tail_load_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 6*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_F_tail_load_follows_with_nose_wheel:(m,a,g,f,out_F_tail_load[1x1,0nz],adj_F_tail_load,out_adj_m[1x1,0nz],out_adj_a[1x1,0nz],out_adj_g[1x1,0nz],out_adj_f[1x1,0nz],fwd_m,fwd_a,fwd_g,fwd_f,fwd_out_F_tail_load[1x1,0nz],fwd_adj_F_tail_load)->(fwd_adj_m,fwd_adj_a[1x1,0nz],fwd_adj_g,fwd_adj_f) */
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  a00=arg[1]? arg[1][0] : 0;
+  a01=0.;
+  a00=(a00<a01);
+  a02=1.;
+  a03=arg[3]? arg[3][0] : 0;
+  a02=(a02-a03);
+  a03=casadi_fmin(a01,a02);
+  a04=arg[5]? arg[5][0] : 0;
+  a05=(a03*a04);
+  a06=arg[12]? arg[12][0] : 0;
+  a07=(a05*a06);
+  a08=arg[2]? arg[2][0] : 0;
+  a09=arg[15]? arg[15][0] : 0;
+  a03=(a03*a09);
+  a10=(a02<=a01);
+  a11=(a01<=a02);
+  a11=(a11+a10);
+  a10=(a10/a11);
+  a11=arg[13]? arg[13][0] : 0;
+  a10=(a10*a11);
+  a10=(a04*a10);
+  a03=(a03-a10);
+  a10=(a08*a03);
+  a07=(a07+a10);
+  a07=(a00?a07:0);
+  if (res[0]!=0) res[0][0]=a07;
+  a07=arg[10]? arg[10][0] : 0;
+  a05=(a05*a07);
+  a10=arg[0]? arg[0][0] : 0;
+  a03=(a10*a03);
+  a05=(a05+a03);
+  a05=(a00?a05:0);
+  if (res[2]!=0) res[2][0]=a05;
+  a05=(a02<=a01);
+  a01=(a01<=a02);
+  a01=(a01+a05);
+  a05=(a05/a01);
+  a06=(a10*a06);
+  a07=(a08*a07);
+  a06=(a06+a07);
+  a04=(a04*a06);
+  a08=(a08*a10);
+  a08=(a08*a09);
+  a04=(a04+a08);
+  a05=(a05*a04);
+  a05=(-a05);
+  a00=(a00?a05:0);
+  if (res[3]!=0) res[3][0]=a00;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f39(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_F_tail_load_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_F_tail_load_follows_with_nose_wheel_n_in(void) { return 16;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_F_tail_load_follows_with_nose_wheel_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_F_tail_load_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "a";
+    case 2: return "g";
+    case 3: return "f";
+    case 4: return "out_F_tail_load";
+    case 5: return "adj_F_tail_load";
+    case 6: return "out_adj_m";
+    case 7: return "out_adj_a";
+    case 8: return "out_adj_g";
+    case 9: return "out_adj_f";
+    case 10: return "fwd_m";
+    case 11: return "fwd_a";
+    case 12: return "fwd_g";
+    case 13: return "fwd_f";
+    case 14: return "fwd_out_F_tail_load";
+    case 15: return "fwd_adj_F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_F_tail_load_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_m";
+    case 1: return "fwd_adj_a";
+    case 2: return "fwd_adj_g";
+    case 3: return "fwd_adj_f";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s0;
+    case 6: return casadi_s1;
+    case 7: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s1;
+    case 15: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_F_tail_load_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 16;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 0*sizeof(casadi_real);
   return 0;
