@@ -171,6 +171,14 @@ class Limit:
 # --- The clock ------------------------------------------------------------------------------
 
 
+def clock(run: Callable[[], object], inner: int = 1) -> float:
+    """Seconds for one of `inner` calls."""
+    begin = time.perf_counter()
+    for _ in range(inner):
+        run()
+    return (time.perf_counter() - begin) / inner
+
+
 class Bench:
     """Times a tool against the limit and prints one JSON line for each row."""
 
@@ -191,6 +199,7 @@ class Bench:
         share: float = 1.0,
         inner: int = 1,
         repeats: int = REPEATS,
+        timer: Callable[[Callable[[], Any], int], float] = clock,
     ) -> None:
         """One row: the median over samples of the ratio to the limit.
 
@@ -200,13 +209,15 @@ class Bench:
             The part of the job that `run` does.
         inner : int
             Calls per sample, for short jobs.
+        timer : callable
+            Like `clock`, for a tool that looks at its own.
         """
         limit, part = self.limit.job(job, target, threads)
         run(), limit()
         times, limits, ratios = [], [], []
         for _ in range(max(7, repeats)):
             before = clock(limit) * part
-            mine = clock(run, inner) / share
+            mine = timer(run, inner) / share
             after = clock(limit) * part
             times.append(mine)
             limits.append(min(before, after))
@@ -218,10 +229,3 @@ class Bench:
             "ratio": statistics.median(ratios), "samples": len(times),
         }  # fmt: skip
         print(json.dumps(record), flush=True)
-
-
-def clock(run: Callable[[], object], inner: int = 1) -> float:
-    begin = time.perf_counter()
-    for _ in range(inner):
-        run()
-    return (time.perf_counter() - begin) / inner

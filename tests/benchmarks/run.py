@@ -1,7 +1,7 @@
 """groundloop, the limit of the machine and other tools, side by side: `make bench`.
 
-Each peer runs in its own environment and is left out, as missing, where there is none; `--install`
-makes them. The table and the picture go to `results/`.
+Each peer runs in its own environment, or as a program of the system, and is left out, as missing,
+where there is none; `--install` makes the environments. The table and the picture go to `results/`.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import argparse
 import json
 import os
 import platform
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -25,8 +26,9 @@ PEERS = {
     "jax": ["jax[cpu]", "diffrax", "numpy"],
     "numbalsoda": ["numbalsoda", "numba", "numpy"],
     "casadi": ["casadi", "numpy"],
-    "octave": [],  # of the system
 }
+#: Peer -> its program, of the system.
+PROGRAMS = {"octave": "octave-cli"}
 JOBS = {
     "E10000": "10,000 trajectories, final state at 5 s",
     "E100000": "100,000 trajectories, final state at 5 s",
@@ -42,7 +44,7 @@ def main() -> None:
     parser.add_argument("--venvs", type=Path, default=HERE.parents[1] / "build" / "bench-venvs")
     parser.add_argument("--install", action="store_true", help="make the peers' environments")
     parser.add_argument("--out", type=Path, default=HERE / "results")
-    parser.add_argument("--only", nargs="*", default=[*PEERS], help="which peers")
+    parser.add_argument("--only", nargs="*", default=[*PEERS, *PROGRAMS], help="which peers")
     options = parser.parse_args()
     if options.install:
         install(options.venvs, options.only)
@@ -60,15 +62,19 @@ def main() -> None:
 
 def install(venvs: Path, peers: list[str]) -> None:
     for name in peers:
-        if PEERS[name] and not (venvs / name).exists():
+        if name in PEERS and not (venvs / name).exists():
             subprocess.run([sys.executable, "-m", "venv", str(venvs / name)], check=True)
             command = [str(python(venvs, name)), "-m", "pip", "install", "-q", *PEERS[name]]
             if subprocess.run(command, check=False).returncode:
                 print(f"{name} cannot be installed here", file=sys.stderr)
 
 
-def python(venvs: Path, name: str) -> Path:
-    return venvs / name / "bin" / "python"
+def python(venvs: Path, name: str) -> Path | None:
+    """What runs a peer's script, if the peer is there."""
+    if name in PROGRAMS:
+        return Path(sys.executable) if shutil.which(PROGRAMS[name]) else None
+    found = venvs / name / "bin" / "python"
+    return found if found.exists() else None
 
 
 def collect(folder: Path, venvs: Path, peers: list[str]) -> tuple[list[Row], dict[str, str]]:
@@ -78,12 +84,10 @@ def collect(folder: Path, venvs: Path, peers: list[str]) -> tuple[list[Row], dic
         sys.exit("groundloop itself did not run")
     missing = {}
     for name in peers:
-        script, interpreter = HERE / f"peer_{name}.py", python(venvs, name)
-        if not script.exists():
-            missing[name] = "there is no script for it"
-        elif not interpreter.exists():
+        interpreter = python(venvs, name)
+        if interpreter is None:
             missing[name] = "not installed"
-        elif found := list(run([str(interpreter), str(script), str(folder)])):
+        elif found := list(run([str(interpreter), str(HERE / f"peer_{name}.py"), str(folder)])):
             rows += found
         else:
             missing[name] = "installed, but it does not run here"
@@ -152,17 +156,22 @@ def report(rows: list[Row], missing: dict[str, str]) -> str:
                 name = f"**{name}**" if row["tool"] == "groundloop" else name
                 lines.append(
                     f"| {name} | {row['threads']} | {row['setting']} | {error}"
-                    f" | {duration(row['seconds'])} | {row['ratio']:.3g} |"
+                    f" | {duration(row['seconds'])} | {digits(row['ratio'])} |"
                 )
             lines.append("")
     lines += [f"Missing: {name} ({why})." for name, why in missing.items()]
     return "\n".join([*lines, ""])
 
 
+def digits(number: float) -> str:
+    """Three of them, and no exponent."""
+    return f"{float(f'{number:.3g}'):g}"
+
+
 def duration(seconds: float) -> str:
     for unit, size in (("s", 1.0), ("ms", 1e-3)):
         if seconds >= size:
-            return f"{seconds / size:.3g} {unit}"
+            return f"{digits(seconds / size)} {unit}"
     return f"{seconds * 1e6:.3g} µs"
 
 
@@ -191,7 +200,7 @@ def picture(rows: list[Row], path: Path) -> None:
             values = [best[n] for n in names]
             ax.barh(names, values, color=ours, edgecolor=INK, linewidth=0.5)
             for k, value in enumerate(values):
-                ax.annotate(f"{value:.3g}", (value, k), (3, 0), textcoords="offset points",
+                ax.annotate(digits(value), (value, k), (3, 0), textcoords="offset points",
                             va="center", fontsize=7.5)  # fmt: skip
             ax.axvline(1.0, color=INK, linewidth=0.9)
             ax.set_xscale("log")
