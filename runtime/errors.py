@@ -10,6 +10,21 @@ class GroundloopError(ValueError):
     """Something was asked that cannot be done; the message says what to change."""
 
 
+class UnexpectedError(GroundloopError):
+    """Something else than what belongs in a place.
+
+    Attributes
+    ----------
+    found, expected : str
+        The two halves of the message.
+    """
+
+    def __init__(self, where: str, found: str, expected: str) -> None:
+        super().__init__(f"{where}: found {found}; expected {expected}")
+        self.found = found
+        self.expected = expected
+
+
 class UnknownNameError(GroundloopError, KeyError):
     """A name that does not exist; the message names the nearest that do."""
 

@@ -7,7 +7,7 @@ import re
 from functools import cache
 from typing import Any
 
-from .errors import GroundloopError
+from .errors import UnexpectedError
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:inf|nan))\s*(.*?)\s*$")
 
@@ -50,19 +50,8 @@ _ANGLES = frozenset(
 _FORCE_OF = {"lb": "lbf", "kg": "kgf"}
 
 
-class UnitError(GroundloopError):
-    """A text that is no number in a fitting unit.
-
-    Attributes
-    ----------
-    found, expected : str
-        The two halves of the message.
-    """
-
-    def __init__(self, where: str, found: str, expected: str) -> None:
-        super().__init__(f"{where}: found {found}; expected {expected}")
-        self.found = found
-        self.expected = expected
+class UnitError(UnexpectedError):
+    """A text that is no number in a fitting unit."""
 
 
 def to_si(text: str, unit: str, where: str) -> float:

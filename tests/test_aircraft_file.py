@@ -1,12 +1,15 @@
 """Aircraft files: what they may say, and how every mistake in one is reported at once."""
 
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import groundloop as gl
-from groundloop.aircraft import packaged, parameter_symbols
+from groundloop.aircraft import FOLLOWS, packaged, parameter_symbols
 from groundloop.aircraft_file import AircraftFileError, Mistake, packaged_files
 from groundloop.checking import _usual
 from groundloop.generated import MODELS, QUANTITIES
@@ -33,6 +36,9 @@ speed = "62 mph"
 air_density = 1.225
 gravity = 9.81
 """
+
+#: What no quantity can be.
+WRONG = ("true", "[1]", "nan", "-inf", "'1 furlong^9'", "{ source = 'x' }", "{ value = {} }")
 
 
 def load(folder: Path, text: str, name: str = "plane.toml") -> gl.Aircraft:
@@ -117,6 +123,11 @@ def test_a_tire_table_beside_the_file_comes_first(tmp_path: Path):
     assert plane.sources["B1"].text == "fitted to mine.csv; my rig"
 
 
+def test_texts_lose_the_blanks_around_them(tmp_path: Path):
+    plane = load(tmp_path, 'title = " Brief "\ndescription = """\nA light taildragger.\n"""')
+    assert (plane.title, plane.description) == ("Brief", "A light taildragger.")
+
+
 def test_symbols_and_names_and_a_byte_order_mark_are_welcome(tmp_path: Path):
     plane = load(tmp_path, "\ufeff" + BRIEF.replace("mass =", "m ="))
     assert plane["mass"] == plane["m"]
@@ -167,6 +178,19 @@ def test_every_mistake_is_reported_at_once_with_its_line(tmp_path: Path):
         ("table", '"nothing.csv"', "'nothing.csv'", "goodyear-6.00-6"),
         ("table", "3", "3", "a CSV file beside plane.toml"),
         ("title", "3", "3", "a text"),
+        ("title", '["Brief"]', "['Brief']", "a text"),
+        ("title", '{ value = "Brief" }', "{'value': 'Brief'}", "a text"),
+        ("mass", "{ value = [748] }", "[748]", "a mass"),
+        ("mass", "{ value = { value = 748 } }", "{'value': 748}", "a mass"),
+        ("mass", "{ value = true }", "True", "a mass"),
+        ("mass", "{ }", "no value", "value = a mass"),
+        ("mass", f"1{400 * '0'}", "1000", "a mass"),
+        ("mass", '{ value = "-1 lb", estimate = true }', "'-1 lb'", "a positive number"),
+        ("mass", '{ value = 1, source = ["x"] }', "source = ['x']", "a text"),
+        ("mass", "{ value = 1, estimate = 1 }", "estimate = 1", "true or false"),
+        ("mass", "{ value = 1, unit = 'kg' }", "unknown field 'unit'", "value, source, estimate"),
+        ("table", "['goodyear-6.00-6.csv']", "['goodyear-6.00-6.csv']", "a CSV file beside"),
+        ("table", "{ source = 'my rig' }", "no value", "value = a file name"),
     ],
 )
 def test_a_mistake_says_what_was_found_and_what_was_expected(
@@ -185,6 +209,9 @@ def test_a_mistake_says_what_was_found_and_what_was_expected(
         ("tail_whel_stiffness = 3", "tail_wheel_stiffness"),
         ("qqqqqq = 3", "groundloop new"),
         ("[main_tire]\ntable = 'goodyear-6.00-6.csv'", "main_tires.table"),
+        ("tail_whel_stiffness = { value = 3, source = 'x' }", "tail_wheel_stiffness"),
+        ("[tail]\n[tail.wheel]\ntail_whel_stiffness = 3", "tail_wheel_stiffness"),
+        ("[[tail_whel_stiffness]]\nvalue = 3", "tail_wheel_stiffness"),
     ],
 )
 def test_an_unknown_key_names_the_nearest(tmp_path: Path, line: str, expected: str):
@@ -193,9 +220,73 @@ def test_an_unknown_key_names_the_nearest(tmp_path: Path, line: str, expected: s
     assert expected in mistake.expected
 
 
+def test_what_a_file_says_of_itself_is_at_its_top(tmp_path: Path):
+    assert the_mistake(tmp_path, f"titel = 'Brief'\n{BRIEF}").expected == "title"
+    assert the_mistake(tmp_path, f"{BRIEF}\ntitle = 'Brief'").key == "runway.title"
+
+
+def test_a_value_where_a_table_belongs(tmp_path: Path):
+    mistake = the_mistake(tmp_path, "main_tires = 3")
+    assert (mistake.key, mistake.found, mistake.expected) == ("main_tires", "3", "a table")
+
+
+def test_mistakes_have_the_line_they_are_in_however_it_is_written(tmp_path: Path):
+    text = (
+        """
+        title = [
+            "a list",
+        ]
+        description = '''
+        mass = -1
+        '''
+        airframe.mass = "748 s"  # dotted
+        wing = { gravity = -9.81 }  # inline
+        "quoted" . 'tail_area' = true
+
+        [deep.deeper]
+        speed = [100]
+        [deep.deeper.yaw_inertia]
+        source = """
+        + '"""[gravity]"""'
+        + """
+        [deep.deepest.b]
+        value = "3 lb"
+        sauce = "x"
+        """
+    )
+    assert [(m.line, m.key, m.found) for m in mistakes(tmp_path, text)] == [
+        (2, "title", "['a list']"),
+        (8, "airframe.mass", "'748 s', a time"),
+        (9, "wing.gravity", "-9.81"),
+        (10, "quoted.tail_area", "True"),
+        (13, "deep.deeper.speed", "[100]"),
+        (14, "deep.deeper.yaw_inertia", "no value"),
+        (16, "deep.deepest.b", "'3 lb', a mass"),
+        (16, "deep.deepest.b", "an unknown field 'sauce'"),
+    ]
+
+
+@given(
+    st.dictionaries(
+        st.sampled_from([s for s in parameter_symbols() if s not in FOLLOWS and s[0] != "x"]),
+        st.sampled_from(["1", "{ value = 1 }", *WRONG]),
+    )
+)
+def test_the_lines_with_mistakes_are_named_and_no_others(entries: dict[str, str]):
+    with TemporaryDirectory() as folder:
+        text = "\n".join(f"{s} = {entry}" for s, entry in entries.items())
+        wrong = [n for n, entry in enumerate(entries.values(), start=1) if entry in WRONG]
+        if wrong:
+            assert [m.line for m in mistakes(Path(folder), text)] == wrong
+        else:
+            assert set(load(Path(folder), text).given) == set(entries)
+
+
 def test_a_value_given_twice_names_the_other_place(tmp_path: Path):
     mistake = the_mistake(tmp_path, f"{BRIEF}\n[more]\nm = 748")
     assert (mistake.key, mistake.expected) == ("more.m", "it once: it is in airframe.mass too")
+    mistake = the_mistake(tmp_path, "mass = 748\nm = 748")
+    assert (mistake.line, mistake.expected) == (2, "it once: it is in mass too")
 
 
 def test_a_bad_tire_table_is_a_mistake_of_the_file(tmp_path: Path):

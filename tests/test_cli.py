@@ -83,7 +83,7 @@ def test_every_option_is_explained(name: str):
 def test_help_is_quick_because_it_imports_nothing_heavy():
     code = "import sys; from groundloop.cli import main; main(['--help']); print(*sys.modules)"
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-    heavy = {"casadi", "matplotlib", "pint", "numpy", "groundloop.cli.simulate"}
+    heavy = {"casadi", "matplotlib", "pint", "pydantic", "numpy", "groundloop.cli.simulate"}
     assert "simulate" in result.stdout
     assert not heavy & set(result.stdout.split())
 
