@@ -63,7 +63,7 @@ class StabilityMap:
         found = closed_forms(self.aircraft, names)
         return {name: np.broadcast_to(found[name], self.values.shape) for name in names}
 
-    @property
+    @cached_property
     def stable(self) -> npt.NDArray[np.bool_]:
         """Where the aircraft is stable: at its speed, or at every speed; shape (ny, nx)."""
         if self.of in OVER_SPEED:

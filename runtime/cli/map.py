@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -92,15 +93,14 @@ def _extremes(chart: StabilityMap) -> str:
     return table(header, rows, right=(1, 2, 3))
 
 
-def _rows(chart: StabilityMap) -> list[list[Any]]:
+def _rows(chart: StabilityMap) -> Iterator[list[Any]]:
     from groundloop.generated.names import QUANTITIES
 
     axes = [options.with_unit(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
-    rows: list[list[Any]] = [[*axes, options.with_unit(chart.of, chart.unit), "stable"]]
-    for i, y in enumerate(chart.y.tolist()):
-        for j, x in enumerate(chart.x.tolist()):
-            rows.append([x, y, float(chart.values[i, j]), bool(chart.stable[i, j])])
-    return rows
+    yield [*axes, options.with_unit(chart.of, chart.unit), "stable"]
+    grid = np.meshgrid(chart.x, chart.y)
+    columns = (each.reshape(-1).tolist() for each in (*grid, chart.values, chart.stable))
+    yield from map(list, zip(*columns, strict=True))
 
 
 def _data(chart: StabilityMap) -> dict[str, Any]:

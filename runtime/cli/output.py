@@ -9,7 +9,7 @@ import math
 import shutil
 import sys
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,14 +30,14 @@ class Output:
     ----------
     text : str
         For people.
-    rows : sequence of sequences
-        For a spreadsheet; the first row is the header.
+    rows : iterable of sequences
+        For a spreadsheet; the first row is the header. Read only if they are wanted.
     data : mapping
         For programs, SI units with radians.
     """
 
     text: str
-    rows: Sequence[Sequence[Any]]
+    rows: Iterable[Sequence[Any]]
     data: Mapping[str, Any]
 
 
