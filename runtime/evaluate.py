@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import math
 from collections.abc import Mapping
+from contextlib import redirect_stderr
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -135,3 +138,12 @@ def columns(function: str | ca.Function, *arguments: FloatArray) -> list[FloatAr
         values = np.array(result, dtype=np.float64).reshape(rows, count, width)
         matrices.append(np.moveaxis(values, 1, 0))
     return matrices
+
+
+def solved(solver: ca.Function, **arguments: Any) -> dict[str, Any]:
+    """What a solver returns. CasADi makes a warning of Ctrl-C and IPOPT a failure; not so here."""
+    with redirect_stderr(io.StringIO()) as said:
+        result: dict[str, Any] = solver(**arguments)
+    if "KeyboardInterrupt" in said.getvalue():
+        raise KeyboardInterrupt
+    return result

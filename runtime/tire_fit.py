@@ -12,6 +12,7 @@ import numpy as np
 
 from .arrays import FloatArray, finite
 from .errors import GroundloopError
+from .evaluate import solved
 from .generated.names import QUANTITIES
 from .tire_data import TireData
 from .tire_quality import LINES, MAGIC, conditioning, force_rms, normalised_rms, residual
@@ -155,7 +156,7 @@ def _least_squares(
         raise GroundloopError(f"start must be {', '.join(MAGIC)}: 4 numbers, not {start!r}")
     errors, x = residual(alpha_bar, F_bar)
     solver = ca.nlpsol("magic_fit", "ipopt", {"x": x, "f": ca.sumsqr(errors)}, _QUIET)
-    solution = solver(x0=x0, lbx=list(_LOWEST), ubx=list(_HIGHEST))
+    solution = solved(solver, x0=x0, lbx=list(_LOWEST), ubx=list(_HIGHEST))
     if not solver.stats()["success"]:
         raise GroundloopError(
             f"tire data {name!r}: the magic formula fit found no minimum from start"

@@ -11,6 +11,7 @@ import casadi as ca
 import numpy as np
 
 from groundloop.arrays import FloatArray
+from groundloop.evaluate import solved
 
 from .case import DESIGN, vector
 from .problem import CORNER, Problem
@@ -190,7 +191,8 @@ class Program:
         p = np.concatenate(
             [vector(design, DESIGN), problem.numbers, values, low, high, self._columns.T.ravel()]
         )
-        result = self._solver(
+        result = solved(
+            self._solver,
             x0=np.concatenate([z, [level / problem.scale] * leveled, np.ones(slacks)]),
             p=p,
             lbx=np.concatenate(
