@@ -17,6 +17,7 @@ from .generated.names import QUANTITIES
 from .kicks import check_tire, kick
 from .names import symbol
 from .plots import INK, style
+from .progress import Progress, counted
 from .units import from_si
 
 if TYPE_CHECKING:
@@ -123,6 +124,7 @@ def basin(
     t: float = Criterion.t,
     threads: int | None = None,
     executor: Executor | None = None,
+    progress: Progress = None,
 ) -> Basin:
     """From which starts an aircraft straightens out, hands off, with the non-linear tire.
 
@@ -138,7 +140,7 @@ def basin(
         Where an impulse acts, m ahead of the CG.
     half_width, heading, settled, t : float
         See `groundloop.survival`.
-    threads, executor
+    threads, executor, progress
         As for `groundloop.ensemble`.
 
     Returns
@@ -166,10 +168,10 @@ def basin(
     check_tire(aircraft)
     v, r = _start(grid, aircraft, station)
     shape = (y_values.size, x_values.size)
+    starts = np.broadcast_to(v, shape), np.broadcast_to(r, shape)
     options = {"threads": threads, "executor": executor}
-    fate, when = fates(
-        aircraft, np.broadcast_to(v, shape), np.broadcast_to(r, shape), criterion, **options
-    )
+    with counted(progress, "kicks", x_values.size * y_values.size) as done:
+        fate, when = fates(aircraft, *starts, criterion, done.add, **options)
     return Basin(x_name, y_name, x_values, y_values, fate, when, plane, float(station), criterion)
 
 

@@ -1,11 +1,10 @@
-"""Work cut into chunks: bounded memory, progress, interruption, any executor."""
+"""Work cut into chunks: bounded memory, interruption, any executor."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -17,9 +16,6 @@ from .errors import GroundloopError
 T = TypeVar("T")
 R = TypeVar("R")
 
-#: Called with what is done and how much there is in all; True draws a bar on a terminal.
-Progress = Callable[[int, int], object] | bool | None
-
 #: Chunks that wait at an executor, so that it never idles and memory stays bounded.
 _WAITING = 32
 
@@ -29,8 +25,8 @@ def run(
     chunks: Sequence[range],
     task: Callable[[range], T],
     keep: Callable[[range, R], object],
+    told: Callable[[int], object],
     executor: Executor | None = None,
-    progress: Progress = None,
 ) -> None:
     """Do `work` on the task of every chunk and `keep` what comes of it.
 
@@ -44,18 +40,14 @@ def run(
         What each task is about.
     task, keep : callable
         Make a task; put its result away. Both run here.
+    told : callable
+        Called with the length of each chunk that is done.
     executor : concurrent.futures.Executor, optional
         Where `work` runs; here if omitted.
-    progress : callable or bool, optional
-        See `Progress`.
     """
-    total = sum(map(len, chunks))
-    with _shown(progress) as show:
-        done = 0
-        for chunk, result in _results(work, chunks, task, executor):
-            keep(chunk, result)
-            done += len(chunk)
-            show(done, total)
+    for chunk, result in _results(work, chunks, task, executor):
+        keep(chunk, result)
+        told(len(chunk))
 
 
 def _results(
@@ -80,19 +72,6 @@ def _results(
     finally:
         for future in waiting:
             future.cancel()
-
-
-@contextmanager
-def _shown(progress: Progress) -> Iterator[Callable[[int, int], object]]:
-    if callable(progress):
-        yield progress
-    elif not progress:
-        yield lambda done, total: None
-    else:
-        from .cli.progress import progress as bar
-
-        with bar() as show:
-            yield lambda done, total: show("trajectories", done, total)
 
 
 def cut(total: int, size: int) -> list[range]:

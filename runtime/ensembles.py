@@ -9,11 +9,12 @@ from functools import partial
 from typing import Any
 
 from .aircraft import Aircraft
-from .chunks import Progress, check_memory, cut, run, thread_count
+from .chunks import check_memory, cut, run, thread_count
 from .ensemble_plan import plan, watching
 from .ensemble_result import Ensemble
 from .generated import kernels
 from .generated.kernels import Outcome, Task
+from .progress import Progress, counted
 from .vm_ensemble import integrate_in_vm
 
 
@@ -94,20 +95,16 @@ def ensemble(
     asked = plan(plane, t, tire, at, names, tol, chunk, values)
     asked = watching(asked, extremes, limits or {}, within or {})
     count = thread_count(threads if executor is None or threads is not None else 1)
-    check_memory(asked.bytes_each * math.prod(asked.shape), "the results")
-    chunks = cut(math.prod(asked.shape), asked.chunk)
+    total = math.prod(asked.shape)
+    check_memory(asked.bytes_each * total, "the results")
+    chunks = cut(total, asked.chunk)
     if len(chunks) > 1 and asked.follows:
         for each in chunks:
             asked.task(each)  # what cannot be is found before any work starts
     result = asked.empty_result()
-    run(
-        partial(_integrate, threads=count),
-        chunks,
-        asked.task,
-        partial(_keep, result),
-        executor,
-        progress,
-    )
+    work, keep = partial(_integrate, threads=count), partial(_keep, result)
+    with counted(progress, "trajectories", total) as done:
+        run(work, chunks, asked.task, keep, done.add, executor)
     return asked.shaped(result)
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +13,7 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, broadcast, finite
-from .chunks import cut, piece
+from .chunks import cut, piece, run
 from .ensemble_result import Ensemble
 from .ensembles import ensemble
 from .errors import GroundloopError
@@ -58,7 +60,12 @@ class Criterion:
 
 
 def fates(
-    plane: Aircraft, v: Any, r: Any, criterion: Criterion, **options: Any
+    plane: Aircraft,
+    v: Any,
+    r: Any,
+    criterion: Criterion,
+    told: Callable[[int], object] = lambda runs: None,
+    **options: Any,
 ) -> tuple[ByteArray, FloatArray]:
     """What becomes of aircraft that start with v and r, and when they have straightened out.
 
@@ -70,6 +77,8 @@ def fates(
         m/s and rad/s.
     criterion : Criterion
         What counts as surviving.
+    told : callable
+        Called with every number of runs that are done.
     **options
         ``threads`` and ``executor`` of `groundloop.ensemble`.
 
@@ -84,17 +93,24 @@ def fates(
     _, shape = broadcast({**plane.given, **start})
     total = math.prod(shape)
     fate, when = np.empty(total, np.int8), np.empty(total)
-    for part in cut(total, _RUNS):
+
+    def task(part: range) -> tuple[Aircraft, dict[str, FloatArray]]:
         given = {s: piece(value, shape, part) for s, value in plane.given.items() if value.ndim}
         values = {f"{s}0": piece(value, shape, part) for s, value in start.items()}
+        return plane.replace(**given), values
+
+    def keep(part: range, found: tuple[ByteArray, FloatArray]) -> None:
         where = slice(part.start, part.stop)
-        fate[where], when[where] = _judged(plane.replace(**given), values, criterion, options)
+        fate[where], when[where] = found
+
+    run(partial(_judged, criterion, options), cut(total, _RUNS), task, keep, told)
     return fate.reshape(shape), when.reshape(shape)
 
 
 def _judged(
-    plane: Aircraft, start: dict[str, Any], criterion: Criterion, options: dict[str, Any]
+    criterion: Criterion, options: dict[str, Any], started: tuple[Aircraft, dict[str, Any]]
 ) -> tuple[ByteArray, FloatArray]:
+    plane, start = started
     ens = ensemble(
         plane,
         criterion.t,

@@ -20,6 +20,7 @@ from .errors import GroundloopError
 from .evaluate import elementwise
 from .fates import FATES, OUT, ByteArray, Criterion, fates
 from .generated import build
+from .progress import Count, Progress, counted
 
 #: Impulses that are tried before bisection, and in each of its rounds.
 _SCAN, _SECTIONS = 64, 15
@@ -98,6 +99,7 @@ def survival(
     largest: Any = None,
     threads: int | None = None,
     executor: Executor | None = None,
+    progress: Progress = None,
 ) -> Survival:
     """The largest side impulse that an aircraft survives, hands off, with the non-linear tire.
 
@@ -121,6 +123,9 @@ def survival(
         by the forward speed.
     threads, executor
         As for `groundloop.ensemble`.
+    progress : callable or bool, optional
+        Called with the numbers of runs done and in all; the latter is the most that there may
+        be, and falls while bisection goes on. True draws a bar on a terminal.
 
     Returns
     -------
@@ -140,8 +145,10 @@ def survival(
     arrays, shape = broadcast({**aircraft.given, **own, "station": place})
     unit = kick(arrays["station"], 1.0, arrays)
     top = _top(arrays, unit) if largest is None else _positive(largest, shape)
-    search = _Search(aircraft, shape, unit, criterion, {"threads": threads, "executor": executor})
-    low, fate, island = search.threshold(top)
+    options = {"threads": threads, "executor": executor}
+    with counted(progress, "kicks") as done:
+        search = _Search(aircraft, shape, unit, criterion, options, done)
+        low, fate, island = search.threshold(top)
     return Survival(
         aircraft=aircraft,
         station=np.array(arrays["station"]),
@@ -164,16 +171,19 @@ class _Search:
     unit: tuple[FloatArray, FloatArray]
     criterion: Criterion
     options: dict[str, Any]
+    done: Count
 
     def threshold(self, top: FloatArray) -> tuple[FloatArray, ByteArray, FloatArray]:
         """Impulse, fate beyond it, and largest survived beyond it."""
+        self._left(top / _SCAN, 0 * top, top, _SCAN)
         tried = top * np.linspace(0.0, 1.0, _SCAN + 1)[1:].reshape(-1, *(1 for _ in self.shape))
         found = self._fates(tried)
         low, high, fate = _bracket(np.zeros(self.shape), tried, found)
         lost = found != OUT
         beyond = np.logical_or.accumulate(lost, axis=0) & ~lost
         island = np.where(beyond, tried, np.nan)
-        while ((high - low > _NEAR * high) & (high > _NONE * top) & (fate != OUT)).any():
+        while (wide := (high - low > _NEAR * high) & (high > _NONE * top) & (fate != OUT)).any():
+            self._left((high - low)[wide], low[wide], top[wide])
             shares = np.linspace(0.0, 1.0, _SECTIONS + 2)[1:]
             inner = low + (high - low) * shares.reshape(-1, *(1 for _ in self.shape))
             low, high, fate = _bracket(low, inner, self._fates(inner))
@@ -182,9 +192,15 @@ class _Search:
             largest = np.where(beyond.any(axis=0), np.nan_to_num(island).max(axis=0), np.nan)
         return best, fate, largest
 
+    def _left(self, width: FloatArray, low: FloatArray, top: FloatArray, scan: int = 0) -> None:
+        """Most runs that are left: after a scan, brackets are refined until they are narrow."""
+        narrow, runs = _NEAR * np.maximum(low, _NONE * top), _SECTIONS + 1
+        rounds = np.ceil(np.log(width / narrow) / np.log(runs)).max(initial=0.0)
+        self.done.left(math.prod(self.shape) * (scan + runs * int(rounds)))
+
     def _fates(self, impulses: FloatArray) -> ByteArray:
         v, r = (impulses * each for each in self.unit)
-        return fates(self.aircraft, v, r, self.criterion, **self.options)[0]
+        return fates(self.aircraft, v, r, self.criterion, self.done.add, **self.options)[0]
 
 
 def _bracket(

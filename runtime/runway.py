@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -21,6 +21,7 @@ from .errors import GroundloopError, unknown
 from .files import complete
 from .generated.names import QUANTITIES
 from .plots import COLOURS, INK, MUTED, style
+from .progress import Progress, counted
 from .simulation import Trajectory
 
 if TYPE_CHECKING:
@@ -150,7 +151,7 @@ def animate(
     fps: int = 20,
     slow_motion: float = 1.0,
     dpi: int = 90,
-    progress: Callable[[int, int], object] | None = None,
+    progress: Progress = None,
 ) -> Path:
     """Write a film of ground rolls seen from above.
 
@@ -166,8 +167,8 @@ def animate(
         How many times longer the film is than the roll.
     dpi : int
         Dots per inch; the picture is 9 inches wide.
-    progress : callable, optional
-        Called with the number of each picture, from 0, and their count.
+    progress : callable or bool, optional
+        Called with the numbers of pictures done and in all; True draws a bar on a terminal.
 
     Returns
     -------
@@ -207,9 +208,9 @@ def animate(
                 passing.extend(_moment(axes, roll, times[frame], strongest))
             return passing
 
-        with complete(target) as draft:
+        with complete(target) as draft, counted(progress, "pictures", len(times)) as done:
             film = FuncAnimation(figure, draw, frames=len(times), init_func=list)
-            film.save(draft, writer=writer, dpi=dpi, progress_callback=progress)
+            film.save(draft, writer=writer, dpi=dpi, progress_callback=lambda *_: done.add())
     return target
 
 

@@ -124,7 +124,7 @@ def test_a_film_has_a_picture_for_each_moment(loop: gl.Trajectory, tmp_path: Pat
     assert path == tmp_path / "roll.gif"
     with Image.open(path) as film:
         assert film.n_frames == 6
-    assert seen == [0, 1, 2, 3, 4, 5]
+    assert seen == [1, 2, 3, 4, 5, 6]
     assert [p.name for p in tmp_path.iterdir()] == ["roll.gif"]
 
 

@@ -10,7 +10,7 @@ import click
 
 from . import options
 from .output import Output, emit, filled, number, paragraph, shown, table
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.checking import Check, Known
@@ -33,7 +33,7 @@ def command(
     """
     from groundloop.checking import check
 
-    with patience():
+    with bar():
         found = check(options.loaded(plane, changes))
     emit(Output(_text(found), _rows(found), _data(found)), form, out)
     if all(found.missing.values()) or (strict and found.warnings):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,7 +14,7 @@ from groundloop.generated.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, filled, number, say, shown, table
-from .progress import patience, progress
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.ensemble_result import Ensemble
@@ -145,15 +144,7 @@ def command(
     }
     if both := numbers.keys() & axes.keys():
         raise click.UsageError(f"{', '.join(sorted(both))} is given and varied")
-    with ExitStack() as stack:
-        show = stack.enter_context(progress())
-        waiting = stack.enter_context(ExitStack())
-        waiting.enter_context(patience())
-
-        def told(done: int, total: int) -> None:
-            waiting.close()
-            show("trajectories", done, total)
-
+    with bar("trajectories") as show:
         ens = ensemble(
             aircraft,
             t,
@@ -163,15 +154,15 @@ def command(
             within=dict(within),
             tol=tol,
             threads=threads,
-            progress=told,
+            progress=show,
             **numbers,
             **(axes if random else _crossed(axes)),
         )
     if not ens.ok.all():
         lost = ", ".join(f"{n} {name}" for name, n in ens.counts.items() if name != "ok")
         say(f"not every trajectory is ok: {lost}")
-    rows = list(_rows(ens, axes, bool(random))) if form == "csv" else []
-    data = _data(ens, axes, seed if random else None) if form == "json" else {}
+    rows = _rows(ens, axes, bool(random))
+    data = _data(ens, axes, seed if random else None)
     emit(Output(_text(ens, ranges, random), rows, data), form, out)
     units = {s: grid.unit for s, grid in ranges.items()}
     figure = partial(_figure, ens, {} if random else axes, units)

@@ -10,7 +10,7 @@ from click.shell_completion import CompletionItem
 
 from . import options
 from .output import Output, emit, number, shown, table
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.tire_fit import TireFit
@@ -40,7 +40,7 @@ def command(data: str, form: str, out: Path | None) -> None:
     """
     from groundloop.tire_fit import fit_tire
 
-    with patience():
+    with bar():
         fit = fit_tire(data)
     emit(Output(_text(fit), _rows(fit), _data(fit)), form, out)
 

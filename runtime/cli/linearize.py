@@ -9,7 +9,7 @@ import click
 
 from . import options
 from .output import Output, emit, number, table
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.linearization import Linearization
@@ -51,7 +51,7 @@ def command(
     from groundloop.linearization import OperatingPoint, linearize
 
     point = OperatingPoint(v, r, disturbance)
-    with patience():
+    with bar():
         lin = linearize(options.loaded(plane, changes), tire, point, speed=speed)
     emit(Output(_text(lin), _rows(lin), _data(lin)), form, out)
 

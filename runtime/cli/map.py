@@ -11,7 +11,7 @@ import numpy as np
 
 from . import options
 from .output import Output, emit, filled, number, shown, table
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.maps import StabilityMap
@@ -51,7 +51,7 @@ def command(
     """
     from groundloop.maps import stability_map
 
-    with patience():
+    with bar():
         chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
     emit(Output(_text(chart), _rows(chart), _data(chart)), form, out)
     units = {grid.symbol: grid.unit for grid in (x, y) if grid.unit}

@@ -13,7 +13,7 @@ import click
 
 from . import options
 from .output import Output, emit, hanging
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.placement import Envelope, Limits, Placement
@@ -101,7 +101,7 @@ def command(
     from groundloop.placement import place_gear
 
     aircraft = options.loaded(plane, changes)
-    with patience():
+    with bar("steps") as show:
         found = place_gear(
             aircraft,
             _envelope(dict(envelope), lift),
@@ -112,6 +112,7 @@ def command(
             stiffness=stiffness,
             tail_wheel=tail_wheel,
             tire=tire,
+            progress=show,
         )
     data = {**options.about(aircraft), **json.loads(found.to_json())}
     emit(Output(hanging(repr(found)), _rows(found), data), form, out)

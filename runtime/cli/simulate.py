@@ -12,7 +12,7 @@ from groundloop.generated.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, number, say, shown, table
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.metrics import Metrics
@@ -89,7 +89,7 @@ def command(
     aircraft = options.loaded(plane, changes)
     if not any(initial.values()) and not disturbance:
         say("nothing disturbs the aircraft: give --v0, --r0 or --disturbance")
-    with patience():
+    with bar():
         run = simulate(
             aircraft,
             tire,

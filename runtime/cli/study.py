@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from .options import example
-from .progress import progress
+from .progress import bar
 
 
 @click.command(name="study", epilog=example("groundloop study --out study"))
@@ -25,7 +25,7 @@ def command(out: Path) -> None:
     """
     from groundloop import study
 
-    with progress() as show:
+    with bar("steps") as show:
         summary = study.run(out, show)
     click.echo(summary)
     if summary.differs:

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import options
 from .output import Output, emit, filled, number, shown, table
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.aircraft import Aircraft
@@ -99,14 +99,9 @@ def command(
     aircraft = options.loaded(plane, changes)
     criterion: dict[str, Any] = {**limits, "settled": settled, "t": t, "threads": threads}
     stations, speeds = _values(station), _values(aircraft["u"] if speed is None else speed)
-    with patience():
-        found = survival(
-            aircraft,
-            station=stations[:, None],
-            speed=speeds[None, :],
-            largest=largest,
-            **criterion,
-        )
+    grid = {"station": stations[:, None], "speed": speeds[None, :]}
+    with bar("kicks") as show:
+        found = survival(aircraft, **grid, largest=largest, **criterion, progress=show)
     cases = _cases(found, speeds)
     output = Output(_text(found, cases), _rows(found, cases), _data(found, stations, speeds))
     emit(output, form, out)
@@ -184,13 +179,10 @@ def _basin(found: Survival, aircraft: Aircraft, speeds: Any, criterion: dict[str
     reach = np.nanmax([found.impulse, np.nan_to_num(found.island)])
     top = _BEYOND * reach or float(aircraft["m"] * speeds.max()) / 2
     station = float(found.station.flat[0])
-    chart = basin(
-        aircraft,
-        ("speed", np.linspace(low * speeds[0], high * speeds[-1], _PICTURE)),
-        ("impulse", np.linspace(0.0, top, _PICTURE)),
-        station=station,
-        **criterion,
-    )
+    x = ("speed", np.linspace(low * speeds[0], high * speeds[-1], _PICTURE))
+    y = ("impulse", np.linspace(0.0, top, _PICTURE))
+    with bar("kicks") as show:
+        chart = basin(aircraft, x, y, station=station, **criterion, progress=show)
     ax = chart.plot()
     ax.plot(speeds, found.impulse[0], "o", color=INK, markersize=4, clip_on=False)
     return ax.figure

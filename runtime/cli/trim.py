@@ -9,7 +9,7 @@ import click
 
 from . import options
 from .output import Output, emit, number, shown, table
-from .progress import patience
+from .progress import bar
 
 if TYPE_CHECKING:
     from groundloop.trimming import Trim
@@ -39,7 +39,7 @@ def command(
     """
     from groundloop.trimming import trim
 
-    with patience():
+    with bar():
         found = trim(options.loaded(plane, changes), tire, speed=speed, disturbance=disturbance)
     emit(Output(_text(found), _rows(found), _data(found)), form, out)
 

@@ -99,7 +99,11 @@ def assess(problem: Problem, design: Mapping[str, float]) -> Assessment:
         found += [b.sign * values[b.kind.symbol] for b in measured]
         return np.stack([np.broadcast_to(x, points["u"].shape) for x in found])
 
-    decay, damping, *others = (Worst(*found) for found in least(rows, case.axes, BUDGET))
+    def worst(found: tuple[float, Mapping[str, float]]) -> Worst:
+        problem.told()
+        return Worst(*found)
+
+    decay, damping, *others = map(worst, least(rows, case.axes, BUDGET))
     if decay.value < 0:
         damping = Worst(np.nan, damping.corner)
     displacement = None
@@ -125,13 +129,15 @@ def worst_displacement(problem: Problem, design: Mapping[str, float]) -> Worst:
         return -problem.displacement(design, points)[None]
 
     ((value, corner),) = least(rows, problem.case.axes, PATH_BUDGET)
+    problem.told()
     return Worst(-value, corner)
 
 
 def design_prices(problem: Problem, design: Mapping[str, float], corners: Points) -> Solution:
     """The slopes of the objective's level at a fixed design, over the corners given."""
-    bare = replace(problem.case, bounds=())
-    return Program(Problem(bare), corners, fixed=True).solve(design, _level(bare, design, corners))
+    bare = replace(problem, case=replace(problem.case, bounds=()))
+    level = _level(bare.case, design, corners)
+    return Program(bare, corners, fixed=True).solve(design, level)
 
 
 def _level(case: Case, design: Mapping[str, float], corners: Points) -> float:

@@ -11,7 +11,6 @@ import numpy as np
 from groundloop.errors import GroundloopError
 
 from .assess import assess
-from .case import Case
 from .limits import Bound, shown
 from .prices import describe
 from .problem import Problem
@@ -63,10 +62,11 @@ class InfeasibleError(GroundloopError):
         self.nearest = dict(nearest)
 
 
-def infeasible(case: Case) -> GroundloopError:
+def infeasible(unsolved: Problem) -> GroundloopError:
     """Which limits conflict and by how much: the least violation, and each limit alone."""
+    case = unsolved.case
     bare = replace(case, objective="smallest_change")
-    problem = Problem(bare)
+    problem = replace(unsolved, case=bare)
     starts = begin(bare)
     found = exchange(problem, starts, elastic=True)
     solution = found.solution

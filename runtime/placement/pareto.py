@@ -10,6 +10,7 @@ import numpy as np
 
 from groundloop.arrays import FloatArray
 from groundloop.errors import GroundloopError, unknown
+from groundloop.progress import Count, Progress, counted
 
 from .assess import assess, worst_displacement
 from .case import Case
@@ -78,7 +79,7 @@ class Front:
         return "\n".join(lines)
 
 
-def front(case: Case, against: str, points: int = 13) -> Front:
+def front(case: Case, against: str, points: int = 13, progress: Progress = None) -> Front:
     """The front of a margin against something else.
 
     From the placement with the best margin to the one that is best in the other respect; between
@@ -93,6 +94,8 @@ def front(case: Case, against: str, points: int = 13) -> Front:
         One of `AGAINST`; the case's own bound on it, on the better side, is left out.
     points : int
         How many placements.
+    progress : callable or bool, optional
+        Called with the number of placements done and in all; True draws a bar on a terminal.
 
     Raises
     ------
@@ -107,6 +110,11 @@ def front(case: Case, against: str, points: int = 13) -> Front:
         raise GroundloopError(f"pareto: {against} needs cg_height (h_cg) of the aircraft")
     if points < 2:
         raise GroundloopError(f"pareto: a front has at least 2 points, not {points}")
+    with counted(progress, "placements", points) as done:
+        return _front(case, against, points, done)
+
+
+def _front(case: Case, against: str, points: int, done: Count) -> Front:
     side, unreached = AGAINST[against]
     objective = case.objective if case.objective == "damping_ratio" else "decay_rate"
     bounds = tuple(b for b in case.bounds if (b.limit, b.side) != (against, side))
@@ -117,6 +125,7 @@ def front(case: Case, against: str, points: int = 13) -> Front:
     problem = Problem(swept)
     start = _other(problem, design)
     end = _extreme(swept)
+    done.add()
     designs, margins, others, known = [design], [best.level], [start], None
     if swept.bounds[-1].sign * (end - start) < 1e-3 * swept.bounds[-1].kind.step:
         points = 1  # the best margin is the best in the other respect too
@@ -125,12 +134,12 @@ def front(case: Case, against: str, points: int = 13) -> Front:
         # from the neighbour, and from elsewhere in case it has become the worse of two optima
         starts = [designs[-1], *begin(swept)[:1]]
         found = exchange(problem, starts, bounds=values, known=known)
-        if not found.solution.ok:
-            continue
-        known = found.corners
-        designs.append(case.design(found.solution.chosen))
-        margins.append(found.solution.level)
-        others.append(_other(problem, designs[-1]))
+        if found.solution.ok:
+            known = found.corners
+            designs.append(case.design(found.solution.chosen))
+            margins.append(found.solution.level)
+            others.append(_other(problem, designs[-1]))
+        done.add()
     return Front(margin_case, against, np.array(margins), np.array(others), tuple(designs))
 
 

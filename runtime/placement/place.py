@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from groundloop.aircraft import Aircraft
+from groundloop.progress import Progress, counted
 
 from .assess import Assessment, assess, here
-from .case import Case
 from .conflict import infeasible
 from .envelope import Envelope
 from .limits import LOAD, Bound, Limits
@@ -39,6 +39,7 @@ def place_gear(
     tire: str = "nonlinear",
     v0: float = 0.1,
     t: float = 5.0,
+    progress: Progress = None,
 ) -> Placement:
     """Where the main gear should stand, at the worst of everything the aircraft will meet.
 
@@ -75,6 +76,10 @@ def place_gear(
     tire, v0, t
         Of the run that the displacement and the proof are read off: the model, the initial
         lateral velocity in m/s and the duration in s.
+    progress : callable or bool, optional
+        Called with the number of steps done (a program solved, an envelope looked over) and with
+        None, as nobody knows how many it takes; with that number twice at the end. True shows the
+        count on a terminal.
 
     Returns
     -------
@@ -101,16 +106,17 @@ def place_gear(
         v0=v0,
         duration=t,
     )
-    return place(case)
+    with counted(progress, "steps") as done:
+        return place(Problem(case, done.add))
 
 
-def place(case: Case) -> Placement:
+def place(problem: Problem) -> Placement:
     """Solve a resolved case; see `place_gear`."""
-    problem = Problem(case)
+    case = problem.case
     found = solve(problem)
     solution = found.solution
     if case.objective == "damping_ratio" and solution.level > 1 - 1e-7:
-        return _beyond_damping(case)
+        return _beyond_damping(problem)
     design = case.design(solution.chosen)
     result = Placement(
         case=case,
@@ -136,20 +142,16 @@ def solve(problem: Problem, starts: list[dict[str, float]] | None = None) -> Fou
     found = exchange(problem, starts or begin(problem.case))
     if not found.solution.ok:
         # what is infeasible over some corners is so over all
-        raise infeasible(problem.case)
+        raise infeasible(problem)
     return found
 
 
-def _beyond_damping(case: Case) -> Placement:
+def _beyond_damping(problem: Problem) -> Placement:
     """Where no mode oscillates anywhere in the envelope, the fastest decay is best."""
+    case = problem.case
     bounds = tuple(b for b in case.bounds if b.limit != "damping_ratio")
-    best = place(
-        replace(
-            case,
-            objective="decay_rate",
-            bounds=(*bounds, Bound("damping_ratio", "at least", 1.0)),
-        )
-    )
+    bounds = (*bounds, Bound("damping_ratio", "at least", 1.0))
+    best = place(replace(problem, case=replace(case, objective="decay_rate", bounds=bounds)))
     note = (
         "a damping ratio of 1 is reached everywhere in the envelope: of all such placements this"
         " one has the largest worst-case decay rate"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -25,9 +25,18 @@ _SAMPLES = 10
 
 @dataclass(frozen=True)
 class Problem:
-    """Functions of a case: residuals that must not be negative, one column for each corner."""
+    """Functions of a case: residuals that must not be negative, one column for each corner.
+
+    Attributes
+    ----------
+    case : Case
+        The problem in numbers.
+    told : callable
+        Called after every step towards its solution: a program solved, an envelope looked over.
+    """
 
     case: Case
+    told: Callable[[], object] = lambda: None
 
     @cached_property
     def numbers(self) -> FloatArray:

@@ -12,6 +12,7 @@ import numpy as np
 
 from groundloop.aircraft import Aircraft
 from groundloop.generated.names import QUANTITIES
+from groundloop.progress import Progress
 from groundloop.simulation import Trajectory, simulate
 
 from .assess import Assessment, Standing, Worst
@@ -119,11 +120,13 @@ class Placement:
         plane = self.case.aircraft(design, self.worst.corner)
         return simulate(plane, self.case.tire, v0=self.case.v0, t=self.case.duration)
 
-    def pareto(self, against: str = "nose_over", points: int = 13) -> Front:
+    def pareto(
+        self, against: str = "nose_over", points: int = 13, progress: Progress = None
+    ) -> Front:
         """The front of the margin against something else; see `groundloop.placement.pareto`."""
         from .pareto import front
 
-        return front(self.case, against, points)
+        return front(self.case, against, points, progress)
 
     def plot(self) -> Figure:
         """Margin over gear station for each corner, and the run at the worst corner."""

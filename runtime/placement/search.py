@@ -201,5 +201,6 @@ def _violated(
         checks.append((simulated, PATH_BUDGET))
     for rows, budget in checks:
         for residual, at in least(rows, problem.case.axes, budget, _NEAR):
+            problem.told()
             if residual < _VIOLATED:
                 yield at

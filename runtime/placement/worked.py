@@ -7,7 +7,7 @@ gear. What is asked, and the estimates where the thesis is silent, are in ``work
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import resources
@@ -20,7 +20,7 @@ from groundloop.aircraft import Aircraft
 from .assess import Assessment, assess
 from .conflict import InfeasibleError
 from .envelope import Envelope
-from .limits import Limits, show
+from .limits import LAYOUTS, Limits, show
 from .place import place_gear
 from .problem import Problem
 from .result import Placement
@@ -30,6 +30,11 @@ if TYPE_CHECKING:
 
     from .pareto import Front
     from .worked_tables import Table
+
+#: Placements along each front.
+_POINTS = 7
+#: Layouts with a picture of their own, and the limits that it shows.
+_DRAWN = (("taildragger", "textbook"), ("tricycle", "relaxed"))
 
 
 @dataclass(frozen=True)
@@ -89,11 +94,14 @@ class WorkedStudy:
         What the constant stiffness hid, for each question that both models answer.
     estimates : dict
         Parameter to its value and source, where the thesis gives none.
+    told : callable
+        Called after every step of what is made of it, of which there are `steps`.
     """
 
     answers: tuple[Answer, ...]
     hidden: tuple[Hidden, ...]
     estimates: Mapping[str, Mapping[str, str]]
+    told: Callable[[], object]
 
     def placement(self, layout: str, stiffness: str, limits: str) -> Placement:
         """The answer to a question.
@@ -114,9 +122,9 @@ class WorkedStudy:
     def fronts(self) -> tuple[Front, ...]:
         """Margin against nose-over angle as a taildragger, with both models."""
         models = [a.stiffness for a in self.answers if a.placement and a.layout == "taildragger"]
+        best = [self.placement("taildragger", s, "stability") for s in dict.fromkeys(models)]
         return tuple(
-            self.placement("taildragger", stiffness, "stability").pareto("nose_over", 7)
-            for stiffness in dict.fromkeys(models)
+            each.pareto("nose_over", _POINTS, lambda done, total: self.told()) for each in best
         )
 
     def tables(self) -> tuple[Table, ...]:
@@ -133,13 +141,16 @@ class WorkedStudy:
         """Pictures by name."""
         from .worked_figures import fronts_figure, models_figure
 
-        found = {
-            "placement-models": models_figure(self),
-            "placement-pareto": fronts_figure(self.fronts),
+        drawn: dict[str, Callable[[], Figure]] = {
+            "placement-models": lambda: models_figure(self),
+            "placement-pareto": lambda: fronts_figure(self.fronts),
         }
-        for layout, limits in (("taildragger", "textbook"), ("tricycle", "relaxed")):
-            placement = self.placement(layout, "following", limits)
-            found[f"placement-{layout}"] = placement.plot()
+        for layout, limits in _DRAWN:
+            drawn[f"placement-{layout}"] = self.placement(layout, "following", limits).plot
+        found = {}
+        for name, draw in drawn.items():
+            found[name] = draw()
+            self.told()
         return found
 
     def __repr__(self) -> str:
@@ -154,29 +165,46 @@ class WorkedStudy:
         return "\n".join([*lines, *(f"  {finding}" for finding in self.findings())])
 
 
-def worked_study() -> WorkedStudy:
+def steps() -> int:
+    """How many steps the study and its figures take."""
+    asked = _asked()
+    questions = sum(len(asked[layout]["limits"]) for layout in LAYOUTS)
+    return len(asked["models"]) * (questions + _POINTS) + 2 + len(_DRAWN)
+
+
+def worked_study(told: Callable[[], object] = lambda: None) -> WorkedStudy:
     """Place the gear of the thesis's aircraft with both models of the stiffness.
+
+    Parameters
+    ----------
+    told : callable
+        Called after every step; see `steps`.
 
     Returns
     -------
     WorkedStudy
         With tables, findings and figures for the report; about ten seconds.
     """
-    asked = tomllib.loads((resources.files(__package__) / "worked.toml").read_text("utf-8"))
+    asked = _asked()
     estimates = asked["estimates"]
     answers = []
     for name, stiffness in asked["models"].items():
         plane = Aircraft.load(name)
         known = {key: e["value"] for key, e in estimates.items() if key not in plane}
         plane = plane.replace(**known)
-        for layout in ("taildragger", "tricycle"):
+        for layout in LAYOUTS:
             ranges = {**asked["envelope"], **asked[layout].get("envelope", {})}
             ends: dict[str, Any] = {key: tuple(pair) for key, pair in ranges.items()}
             envelope = Envelope(**ends)
             for limits, values in asked[layout]["limits"].items():
                 bounds = Limits(**values)
                 answers.append(_answer(plane, layout, stiffness, limits, envelope, bounds))
-    return WorkedStudy(tuple(answers), tuple(_hidden(answers)), estimates)
+                told()
+    return WorkedStudy(tuple(answers), tuple(_hidden(answers)), estimates, told)
+
+
+def _asked() -> dict[str, Any]:
+    return tomllib.loads((resources.files(__package__) / "worked.toml").read_text("utf-8"))
 
 
 def _answer(

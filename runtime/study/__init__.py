@@ -10,9 +10,10 @@ people, `output` lets files appear whole or not at all.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+
+from groundloop.progress import Progress, counted
 
 __all__ = ["Summary", "run"]
 
@@ -57,7 +58,7 @@ class Summary:
         )
 
 
-def run(out: str | Path, progress: Callable[[str, int, int], None] | None = None) -> Summary:
+def run(out: str | Path, progress: Progress = None) -> Summary:
     """Compute every table and figure of the thesis and write them with the verdicts.
 
     Parameters
@@ -65,8 +66,8 @@ def run(out: str | Path, progress: Callable[[str, int, int], None] | None = None
     out : str or Path
         Folder for ``report.html``, ``ledger.json``, ``ledger.csv``, ``tables.md`` and
         ``figures/``; made if needed. It is as before unless the study is completed.
-    progress : callable, optional
-        Told what is being done, how many steps are done, and of how many.
+    progress : callable or bool, optional
+        Called with the numbers of steps done and in all; True draws a bar on a terminal.
 
     Returns
     -------
@@ -78,7 +79,7 @@ def run(out: str | Path, progress: Callable[[str, int, int], None] | None = None
     GroundloopError
         If the folder cannot be written to.
     """
-    from groundloop.placement.worked import worked_study
+    from groundloop.placement.worked import steps, worked_study
 
     from . import figures, report
     from .ledger import Cell, count, ledger, rows
@@ -87,42 +88,35 @@ def run(out: str | Path, progress: Callable[[str, int, int], None] | None = None
     from .sources import figures as specs
     from .sources import tables
 
-    done, total = 0, len(tables()) + len(specs()) + 2
-
-    def step(label: str) -> None:
-        nonlocal done
-        if progress is not None:
-            progress(label, done, total)
-        done += 1
-
-    folder = Path(out)
-    with whole(folder, last=(LEDGER, REPORT)) as scratch:
+    folder, total = Path(out), len(tables()) + len(specs()) + steps() + 1
+    with (
+        whole(folder, last=(LEDGER, REPORT)) as scratch,
+        counted(progress, "steps", total) as done,
+    ):
         cells: list[Cell] = []
         for number in tables():
-            step(f"Table {number}")
             cells += ledger([number])
+            done.add()
 
         drawings = {}
         (scratch / "figures").mkdir()
         for number, spec in specs().items():
-            step(f"Figure {number}")
             drawings[number] = figures.svg(spec)
             _write(scratch / "figures" / f"{file_name(number)}.svg", drawings[number])
+            done.add()
 
-        step("gear placement")
-        placement = worked_study()
+        placement = worked_study(done.add)
         for name, figure in placement.figures().items():
             drawings[name] = figures.as_svg(figure, name, name.replace("-", " "))
             _write(scratch / "figures" / f"{name}.svg", drawings[name])
 
-        step("report")
         counts = count(cells)
         contents = {"provenance": provenance(), "counts": counts, "rows": rows(cells)}
         _write(scratch / "ledger.csv", report.as_csv(cells))
         _write(scratch / "tables.md", report.markdown(cells))
         _write(scratch / LEDGER, json.dumps(contents, ensure_ascii=False, indent=1) + "\n")
         _write(scratch / REPORT, report.html(cells, drawings, placement))
-    step("done")
+        done.add()
     return Summary(folder, **counts, figures=len(specs()))
 
 
