@@ -14,7 +14,7 @@ import sympy as sp
 from .c_source import c_source
 from .catalogue import Module, all_quantities, modules
 from .equation_sheet import equation_sheet
-from .kernels import EnsembleKernel, SweepKernels, ensemble_kernels, stability_sweep
+from .kernels import Kernel, SweepKernels, integration_kernels, stability_sweep
 from .shipped import integrators
 
 HERE = Path(__file__).resolve().parent
@@ -48,8 +48,9 @@ def files() -> dict[str, str]:
     header = provenance()
     sources = {f"{module.name}.py": _module_source(module) for module in derived}
     package = _load(sources)
-    ensembles, sweeps = tuple(ensemble_kernels(derived, package)), stability_sweep(derived, package)
-    sources["names.py"] = _names_source(derived, ensembles, sweeps)
+    kernels = tuple(integration_kernels(derived, package))
+    sweeps = stability_sweep(derived, package)
+    sources["names.py"] = _names_source(derived, kernels, sweeps)
     sources["__init__.py"] = _init_source(derived)
     for name in SHIPPED:
         sources[name] = (HERE / "shipped" / name).read_text()
@@ -57,8 +58,11 @@ def files() -> dict[str, str]:
     texts["EQUATIONS.md"] = f"<!-- {header} -->\n{equation_sheet(derived)}"
     for name, functions in _compiled(derived, package).items():
         texts[f"c/{name}.c"] = c_source(name, functions, header)
-    kernels = {sweeps.name: sweeps.text, **{kernel.name: kernel.text for kernel in ensembles}}
-    for name, text in kernels.items():
+    compiled = {sweeps.name: sweeps.text}
+    for kernel in kernels:
+        compiled[f"{kernel.name}_ensemble"] = kernel.ensemble
+        compiled[f"{kernel.name}_trajectory"] = kernel.trajectory
+    for name, text in compiled.items():
         texts[f"c/{name}.c"] = f"/* {header} */\n{text}"
     return texts
 
@@ -140,7 +144,7 @@ def _load(sources: Mapping[str, str]) -> dict[str, ModuleType]:
 
 
 def _names_source(
-    derived: tuple[Module, ...], ensembles: Iterable[EnsembleKernel], sweeps: SweepKernels
+    derived: tuple[Module, ...], kernels: Iterable[Kernel], sweeps: SweepKernels
 ) -> str:
     lines = [
         '"""Names, units and meanings; signatures of the models; where each function is."""',
@@ -170,7 +174,7 @@ def _names_source(
         "",
         "",
         "class Kernel(NamedTuple):",
-        '    """A C file that integrates many trajectories: its model, and its states in order."""',
+        '    """Some states of a model; C files ..._ensemble and ..._trajectory integrate them."""',
         "",
         "    model: str",
         "    states: tuple[str, ...]",
@@ -195,8 +199,13 @@ def _names_source(
     lines += ["}", "", "#: Name of a function -> module, builder, C file.", "FUNCTIONS = {"]
     for name, entry in _function_table(derived).items():
         lines.append(f"    {_quoted(name)}: ({', '.join(map(_quoted, entry))}),")
-    lines += ["}", "", "#: Name of a kernel and of its C file -> what it carries.", "KERNELS = {"]
-    for kernel in ensembles:
+    lines += [
+        "}",
+        "",
+        "#: How the names of a kernel's C files begin -> what it carries.",
+        "KERNELS = {",
+    ]
+    for kernel in kernels:
         states = ", ".join(map(_quoted, kernel.states))
         lines.append(f'    "{kernel.name}": Kernel({_quoted(kernel.model)}, ({states},)),')
     lines += [

@@ -1,4 +1,4 @@
-"""Which kernels are emitted for many aircraft at once, from which functions."""
+"""Which kernels are emitted for speed, from which functions."""
 
 from __future__ import annotations
 
@@ -11,20 +11,23 @@ import casadi as ca
 from .catalogue import Module
 from .model import Model
 from .simd.ensemble import ensemble_kernel
+from .simd.model import read_model
 from .simd.sweep import can_sweep, sweep_kernels
+from .simd.trajectory import trajectory_kernel
 
 #: Module whose functions are applied to millions of points.
 _SWEPT = "stability"
 
 
 @dataclass(frozen=True)
-class EnsembleKernel:
-    """An emitted integrator of many trajectories: its name, model, states in order, and C text."""
+class Kernel:
+    """Emitted integrators of some states of a model: of many trajectories, and of a single one."""
 
     name: str
     model: str
     states: tuple[str, ...]
-    text: str
+    ensemble: str
+    trajectory: str
 
 
 @dataclass(frozen=True)
@@ -36,22 +39,27 @@ class SweepKernels:
     text: str
 
 
-def ensemble_kernels(
+def integration_kernels(
     derived: Iterable[Module], package: Mapping[str, ModuleType]
-) -> Iterator[EnsembleKernel]:
+) -> Iterator[Kernel]:
     """For each model kernels of the thesis's states, of all but the path, and of everything."""
     for model in (module.model for module in derived if module.model is not None):
         rhs, outputs = package[model.name].rhs(), package[model.name].outputs()
         every = range(len(model.states))
         body = _in_body_axes(model)
         for name, keep in (
-            ("least_ensemble", _distinct(model, body)),
-            ("ensemble", body),
-            ("path_ensemble", every),
+            ("least", _distinct(model, body)),
+            ("body", body),
+            ("path", every),
         ):
-            kernel = ensemble_kernel(rhs, outputs, list(keep))
-            states = tuple(str(model.states[j]) for j in kernel.states)
-            yield EnsembleKernel(f"{model.name}_{name}", model.name, states, kernel.text)
+            read = read_model(rhs, outputs, keep)
+            yield Kernel(
+                name=f"{model.name}_{name}",
+                model=model.name,
+                states=tuple(str(model.states[j]) for j in read.states),
+                ensemble=ensemble_kernel(read),
+                trajectory=trajectory_kernel(read),
+            )
 
 
 def _in_body_axes(model: Model) -> list[int]:

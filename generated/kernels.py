@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 1628839fde5db251) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 8b65e46912836a4e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Kernels for many aircraft at once: compiled on first use, called with NumPy arrays.
 
 They are compiled for the processor at hand, so AVX2 or AVX-512 is used where it is there, and
@@ -36,8 +36,6 @@ _FLAGS = (
     _NATIVE,
     ("-O2", *_ALWAYS),
 )
-#: Trajectories in a block: many, or the one of a `Stepper`.
-_WIDE, _SINGLE = 32, 1
 #: So that closed forms are the same bits as in CasADi's virtual machine.
 _UNCONTRACTED = "-ffp-contract=off"
 #: Attempted steps after which a trajectory is given up.
@@ -152,7 +150,7 @@ def rows(kernel: str) -> tuple[str, ...]:
 def can_compile(kernel: str) -> bool:
     """Whether a kernel can be compiled here; says so once if not."""
     try:
-        _load(kernel, f"-DLANES={_WIDE}")
+        _load(f"{kernel}_ensemble")
     except NoCompilerError as problem:
         say_once(
             "kernels",
@@ -215,7 +213,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
         largest=tables["largest"].address() if task.watched else None,
         first=tables["first"].address(),
     )
-    _load(task.kernel, f"-DLANES={_WIDE}").integrate(ctypes.byref(job))
+    _load(f"{task.kernel}_ensemble").integrate(ctypes.byref(job))
     return outcome
 
 
@@ -298,7 +296,7 @@ class Stepper:
             samples=samples.address(),
         )
         self._reference = ctypes.byref(self._job)
-        self._integrate = _load(kernel, f"-DLANES={_SINGLE}").integrate
+        self._trace = _load(f"{kernel}_trajectory").trace
         self._status = self._summary.view(np.int8)[:1]
 
     def __call__(self, x0: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
@@ -306,7 +304,7 @@ class Stepper:
         self._start[:] = x0[self._order]
         self._given[: self._inputs] = u
         self._given[self._inputs :] = p
-        self._integrate(self._reference)
+        self._trace(self._reference)
         return self._samples.copy()
 
     @property

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 1628839fde5db251) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 8b65e46912836a4e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -26,13 +26,13 @@ class Signature(NamedTuple):
 
 
 class Kernel(NamedTuple):
-    """A C file that integrates many trajectories: its model, and its states in order."""
+    """Some states of a model; C files ..._ensemble and ..._trajectory integrate them."""
 
     model: str
     states: tuple[str, ...]
 
 
-DIGEST = "1628839fde5db251"
+DIGEST = "8b65e46912836a4e"
 
 QUANTITIES = {
     q.symbol: q
@@ -249,14 +249,14 @@ FUNCTIONS = {
     "kick": ("kick", "kick", "kick"),
 }
 
-#: Name of a kernel and of its C file -> what it carries.
+#: How the names of a kernel's C files begin -> what it carries.
 KERNELS = {
-    "linear_least_ensemble": Kernel("linear", ("v", "r", "y", "theta",)),
-    "linear_ensemble": Kernel("linear", ("v", "r", "y", "theta", "psi",)),
-    "linear_path_ensemble": Kernel("linear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
-    "nonlinear_least_ensemble": Kernel("nonlinear", ("v", "r", "y", "theta",)),
-    "nonlinear_ensemble": Kernel("nonlinear", ("v", "r", "y", "theta", "psi",)),
-    "nonlinear_path_ensemble": Kernel("nonlinear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
+    "linear_least": Kernel("linear", ("v", "r", "y", "theta",)),
+    "linear_body": Kernel("linear", ("v", "r", "y", "theta", "psi",)),
+    "linear_path": Kernel("linear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
+    "nonlinear_least": Kernel("nonlinear", ("v", "r", "y", "theta",)),
+    "nonlinear_body": Kernel("nonlinear", ("v", "r", "y", "theta", "psi",)),
+    "nonlinear_path": Kernel("nonlinear", ("v", "r", "psi", "y", "theta", "X", "Y",)),
 }
 
 #: Name of a function that has a kernel for many points -> C file.

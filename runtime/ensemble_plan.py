@@ -152,7 +152,7 @@ def plan(
     times = _times(at, duration)
     if names is None:
         path = {"X", "Y"} & start.keys()
-        wanted = model.states if path else KERNELS[f"{tire}_ensemble"].states
+        wanted = model.states if path else KERNELS[f"{tire}_body"].states
     else:
         allowed = (*model.states, *model.outputs) if times.size else model.states
         wanted = tuple(symbol(n, "name", allowed, "names") for n in _list("names", names))

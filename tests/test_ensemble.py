@@ -364,22 +364,6 @@ def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
     assert max(alive) == 256
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
-def test_a_solver_is_one_trajectory_of_an_ensemble(tire: str):
-    t = np.linspace(0.0, 5.0, 51)
-    names = ("v", "psi", "Y", "alpha")
-    solve = gl.solver(tire, t, names=names, tol=1e-9)
-    x0 = np.array([0.5, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0])
-    rows = solve(x0, np.array([50.0]), PLANE.parameters(tire))
-    ens = gl.ensemble(
-        PLANE, 5.0, tire, at=t, names=names, tol=1e-9, v0=0.5, r0=0.1, disturbance=50.0
-    )
-    assert rows.shape == (4, 51)
-    for row, name in zip(rows, names, strict=True):
-        assert np.abs(row - ens[name]).max() < 1e-8 * max(1.0, np.abs(row).max())
-    assert solve.status == "ok"
-
-
 # --- Bad input ------------------------------------------------------------------------------
 
 
@@ -435,17 +419,3 @@ def test_what_cannot_follow_is_found_before_any_work(monkeypatch: pytest.MonkeyP
     stations = np.where(np.arange(100) == 99, 6.0, 0.38)
     with pytest.raises(gl.GroundloopError, match="must be positive"):
         gl.ensemble(PLANE, x_cg=stations, v0=0.1, chunk=32)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"t": -1.0}, "increasing times from 0 on"),
-        ({"t": [1.0, 0.5]}, "increasing times from 0 on"),
-        ({"names": ("w",)}, "unknown name 'w'"),
-        ({"tol": 1.0}, "tol must be from"),
-    ],
-)
-def test_mistakes_of_a_solver_are_named(arguments: dict[str, object], message: str):
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.solver(**arguments)

@@ -35,8 +35,6 @@ _FLAGS = (
     _NATIVE,
     ("-O2", *_ALWAYS),
 )
-#: Trajectories in a block: many, or the one of a `Stepper`.
-_WIDE, _SINGLE = 32, 1
 #: So that closed forms are the same bits as in CasADi's virtual machine.
 _UNCONTRACTED = "-ffp-contract=off"
 #: Attempted steps after which a trajectory is given up.
@@ -151,7 +149,7 @@ def rows(kernel: str) -> tuple[str, ...]:
 def can_compile(kernel: str) -> bool:
     """Whether a kernel can be compiled here; says so once if not."""
     try:
-        _load(kernel, f"-DLANES={_WIDE}")
+        _load(f"{kernel}_ensemble")
     except NoCompilerError as problem:
         say_once(
             "kernels",
@@ -214,7 +212,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
         largest=tables["largest"].address() if task.watched else None,
         first=tables["first"].address(),
     )
-    _load(task.kernel, f"-DLANES={_WIDE}").integrate(ctypes.byref(job))
+    _load(f"{task.kernel}_ensemble").integrate(ctypes.byref(job))
     return outcome
 
 
@@ -297,7 +295,7 @@ class Stepper:
             samples=samples.address(),
         )
         self._reference = ctypes.byref(self._job)
-        self._integrate = _load(kernel, f"-DLANES={_SINGLE}").integrate
+        self._trace = _load(f"{kernel}_trajectory").trace
         self._status = self._summary.view(np.int8)[:1]
 
     def __call__(self, x0: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
@@ -305,7 +303,7 @@ class Stepper:
         self._start[:] = x0[self._order]
         self._given[: self._inputs] = u
         self._given[self._inputs :] = p
-        self._integrate(self._reference)
+        self._trace(self._reference)
         return self._samples.copy()
 
     @property

@@ -14,7 +14,7 @@ class Signature(NamedTuple):
 
 
 class Kernel(NamedTuple):
-    """A C file that integrates many trajectories: its model, and its states in order."""
+    """Some states of a model; C files ..._ensemble and ..._trajectory integrate them."""
 
     model: str
     states: tuple[str, ...]
@@ -27,7 +27,7 @@ MODELS: dict[str, Signature] = {}
 #: Name of a function -> module, builder, C file.
 FUNCTIONS: dict[str, tuple[str, str, str]] = {}
 
-#: Name of a kernel and of its C file -> what it carries.
+#: How the names of a kernel's C files begin -> what it carries.
 KERNELS: dict[str, Kernel] = {}
 
 #: Name of a function that has a kernel for many points -> C file.

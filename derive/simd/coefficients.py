@@ -102,6 +102,29 @@ def tableau() -> dict[str, Any]:
     }
 
 
+def collocation(count: int) -> dict[str, Any]:
+    """Gauss-Legendre nodes on [-1, 1] and what becomes of values at them.
+
+    Row i of a table says what a unit value at node i contributes: to the integrals from -1 to each
+    node as fractions of the interval, and to the coefficients of the Chebyshev series.
+    """
+    legendre = mp.taylor(lambda x: mp.legendre(count, x), 0, count)[::-1]
+    nodes = sorted(mp.re(z) for z in mp.polyroots(legendre, maxsteps=200, extraprec=200))
+    values = mp.matrix(count, count)
+    integrals = mp.matrix(count, count)
+    for i, z in enumerate(nodes):
+        for k in range(count):
+            values[i, k] = mp.chebyt(k, z)
+            integrals[i, k] = mp.quad(lambda x, k=k: mp.chebyt(k, x), [-1, z]) / 2
+    series = values**-1
+    integral = integrals * series
+    return {
+        "nodes": [float(z) for z in nodes],
+        "integral": [[float(integral[k, i]) for k in range(count)] for i in range(count)],
+        "series": [[float(series[k, i]) for k in range(count)] for i in range(count)],
+    }
+
+
 def main() -> None:
     """Compute every number and write the file."""
     mp.mp.dps = 40
@@ -114,6 +137,7 @@ def main() -> None:
         "tan_pi_8": float(eighth),
         "pi_parts": split(mp.pi, 33, 3),
         "dop853": tableau(),
+        "collocation": collocation(16),
     }
     TARGET.write_text(json.dumps(data, indent=1) + "\n")
 

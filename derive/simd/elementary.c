@@ -8,26 +8,13 @@ INLINE double from_bits(int64_t b) { double x; memcpy(&x, &b, sizeof x); return 
  * them together again with one division for each path. */
 INLINE double only(int64_t mask, double x) { return from_bits(mask & bits(x)); }
 
-/* t of lane_atan and the angle to add.  For a single trajectory a predicted branch is faster; the
- * bits are the same. */
-#if LANES == 1
-INLINE double fold(double z, double *offset)
-{
-    *offset = 0.0;
-    if (__builtin_expect(!(z > @TAN_PI_8@), 1))
-        return z;
-    const int big = z > @COT_PI_8@;
-    *offset = big ? 1.5707963267948966 : 0.7853981633974483;
-    return big ? -1.0 / z : (z - 1.0) / (1.0 + z);
-}
-#else
+/* t of lane_atan and the angle to add. */
 INLINE double fold(double z, double *offset)
 {
     const int64_t mid = -(int64_t)(z > @TAN_PI_8@), big = -(int64_t)(z > @COT_PI_8@);
     *offset = only(mid, 0.7853981633974483) + only(big, 0.7853981633974483);
     return (only(~big, z) - only(mid, 1.0)) / (only(~big, 1.0) + only(mid, z));
 }
-#endif
 
 /* atan: |x| to t in [-tan(pi/8), tan(pi/8)] by t = z, (z - 1) / (z + 1) or -1 / z, then
  * t + t s P(s) with s = t t. */

@@ -7,55 +7,14 @@
  *
  * Never build with -ffast-math: it hides NaN and shares rounding errors between lanes.
  */
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-#ifndef LANES
-#define LANES 32            /* trajectories in a block; 1 for a single trajectory */
-#endif
-#define INLINE static inline __attribute__((always_inline))
-#define LANE_LOOP _Pragma("omp simd") for (int l = 0; l < LANES; ++l)
-typedef double lanes[LANES];
-
-/* @ELEMENTARY@ */
-
-/* @SIZES@ */
-enum { ROWS = NS + NY };                     /* states, then outputs */
-enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8, TILE = 64, RETRIES = 4 };
-enum { RUNNING = -1, OK = 0, NON_FINITE = 1, STEP_LIMIT = 2, UNSURE = 3, LEFT_RANGE = 4 };
+enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8 };
 
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0;
-static const double SCALE_FLOOR = 1e-6;    /* SI: a state's error is relative to at least this */
-static const double FINEST = 2e-14;        /* local tolerance that rounding still allows */
-static const double SHORTEST = 1e-12;      /* step / t_end at which a lane has got stuck */
 static const double SHARE = 0.03;          /* local tolerance tau / tol */
 static const double TRUST = 1.0;           /* estimated global error / tol that is accepted */
 static const double REACH = 7.6, HOLD = 0.97;  /* see cap() */
 static const double GUARD = 0.09;          /* see measure() */
 static const double BETWEEN = 0.003;       /* see measure_between() */
-static const double REST = 1e-9;           /* scales per t_end: slower than that is at rest */
-
-typedef struct {
-    int64_t n, max_steps, threads, n_times;
-    int64_t observed;                      /* whether any output is wanted between the steps */
-    double t_end, tol;
-    const double *const *x0;               /* [NS] initial states, each [n], or [1] with stride 0 */
-    const int64_t *x0_stride;
-    const double *const *p;                /* [NP] inputs, then parameters, likewise */
-    const int64_t *p_stride;
-    double *const *final;                  /* [NS], each [n] or NULL */
-    int8_t *status;                        /* [n] */
-    int32_t *steps;                        /* [n] attempted steps */
-    double *estimate;                      /* [n] estimated global error, relative to the scales */
-    const double *times;                   /* [n_times] ascending, within 0..t_end */
-    double *const *samples;                /* [ROWS], each [n][n_times] or NULL */
-    const double *limit;                   /* [ROWS] whose first passing by |row| is looked for */
-    const double *range;                   /* [ROWS] where |row| ends a trajectory */
-    double *const *largest;                /* [ROWS], each [n] or NULL; NULL: none is watched */
-    double *const *first;                  /* [ROWS], each [n] where largest is */
-} job_t;
 
 typedef struct {
     lanes c[NC], w[NW], x[NS], begin[NS], f0[NS], past[NS], scale[NS], xn[NS], e5[NS], e3[NS];
@@ -73,17 +32,12 @@ typedef struct {
     int used, count;
 } __attribute__((aligned(64))) queue_t;
 
-INLINE double larger(double a, double b) { return a > b ? a : b; }
-INLINE double smaller(double a, double b) { return a < b ? a : b; }
-
-/* @MODEL@ */
-
 /* ---- step control ------------------------------------------------------------------------ */
 
 /* Keep the step within REACH tau^(1/12) / |largest eigenvalue|.  Near the edge of stability the
  * fast modes that have died out make the error estimate blind, now and then by a factor of a
- * hundred.  The
- * eigenvalue comes from a power iteration that makes one turn a step: turn = J mode. */
+ * hundred.  The eigenvalue comes from a power iteration that makes one turn a step:
+ * turn = J mode. */
 static void cap(block_t *b)
 {
     lanes size, grown;
@@ -106,6 +60,8 @@ static void cap(block_t *b)
     for (int j = 0; j < ND; ++j)
         LANE_LOOP b->mode[j][l] = size[l] > 0.0 ? b->turn[j][l] * size[l] : b->mode[j][l];
 }
+
+/* @STAGES@ */
 
 /* The interpolation's error: its last term, made smaller as the next one would be (h |eigenvalue|).
  * It may use up tol, while the error of the step stays below tau. */

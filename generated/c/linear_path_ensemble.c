@@ -1,21 +1,11 @@
-/* Generated from derive/ (digest 1628839fde5db251) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
-/* Many trajectories side by side: DOP853, every lane with its own time, step and tolerance.
- *
- * A block holds LANES trajectories as structure of arrays; every loop over lanes is a vector
- * loop.  A lane that has reached the end is written out and loaded with the next trajectory, so
- * no lane waits for a slower neighbour.  A lane never reads another lane: a result does not
- * depend on the number of threads, on the order, or on the company a trajectory keeps.
- *
- * Never build with -ffast-math: it hides NaN and shares rounding errors between lanes.
- */
+/* Generated from derive/ (digest 8b65e46912836a4e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* What every kernel of a model begins with; a driver follows. */
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-#ifndef LANES
-#define LANES 32            /* trajectories in a block; 1 for a single trajectory */
-#endif
+enum { LANES = 32 };
 #define INLINE static inline __attribute__((always_inline))
 #define LANE_LOOP _Pragma("omp simd") for (int l = 0; l < LANES; ++l)
 typedef double lanes[LANES];
@@ -30,26 +20,13 @@ INLINE double from_bits(int64_t b) { double x; memcpy(&x, &b, sizeof x); return 
  * them together again with one division for each path. */
 INLINE double only(int64_t mask, double x) { return from_bits(mask & bits(x)); }
 
-/* t of lane_atan and the angle to add.  For a single trajectory a predicted branch is faster; the
- * bits are the same. */
-#if LANES == 1
-INLINE double fold(double z, double *offset)
-{
-    *offset = 0.0;
-    if (__builtin_expect(!(z > 0.41421356237309503), 1))
-        return z;
-    const int big = z > 2.414213562373095;
-    *offset = big ? 1.5707963267948966 : 0.7853981633974483;
-    return big ? -1.0 / z : (z - 1.0) / (1.0 + z);
-}
-#else
+/* t of lane_atan and the angle to add. */
 INLINE double fold(double z, double *offset)
 {
     const int64_t mid = -(int64_t)(z > 0.41421356237309503), big = -(int64_t)(z > 2.414213562373095);
     *offset = only(mid, 0.7853981633974483) + only(big, 0.7853981633974483);
     return (only(~big, z) - only(mid, 1.0)) / (only(~big, 1.0) + only(mid, z));
 }
-#endif
 
 /* atan: |x| to t in [-tan(pi/8), tan(pi/8)] by t = z, (z - 1) / (z + 1) or -1 / z, then
  * t + t s P(s) with s = t t. */
@@ -87,18 +64,12 @@ INLINE double lane_sign(double a) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : a);
 
 enum { NS = 7, ND = 3, NP = 11, NC = 18, NW = 1, NY = 9, NY1 = 9 };
 enum { ROWS = NS + NY };                     /* states, then outputs */
-enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8, TILE = 64, RETRIES = 4 };
+enum { TILE = 64, RETRIES = 4 };
 enum { RUNNING = -1, OK = 0, NON_FINITE = 1, STEP_LIMIT = 2, UNSURE = 3, LEFT_RANGE = 4 };
 
-static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0;
 static const double SCALE_FLOOR = 1e-6;    /* SI: a state's error is relative to at least this */
 static const double FINEST = 2e-14;        /* local tolerance that rounding still allows */
 static const double SHORTEST = 1e-12;      /* step / t_end at which a lane has got stuck */
-static const double SHARE = 0.03;          /* local tolerance tau / tol */
-static const double TRUST = 1.0;           /* estimated global error / tol that is accepted */
-static const double REACH = 7.6, HOLD = 0.97;  /* see cap() */
-static const double GUARD = 0.09;          /* see measure() */
-static const double BETWEEN = 0.003;       /* see measure_between() */
 static const double REST = 1e-9;           /* scales per t_end: slower than that is at rest */
 
 typedef struct {
@@ -120,22 +91,6 @@ typedef struct {
     double *const *largest;                /* [ROWS], each [n] or NULL; NULL: none is watched */
     double *const *first;                  /* [ROWS], each [n] where largest is */
 } job_t;
-
-typedef struct {
-    lanes c[NC], w[NW], x[NS], begin[NS], f0[NS], past[NS], scale[NS], xn[NS], e5[NS], e3[NS];
-    lanes k[DENSE_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1], largest[ROWS], first[ROWS];
-    lanes mode[NS], turn[NS], growth, rho, reach, t, h, h0, least, tau, error, local, head, tail;
-    lanes drift, shift, estimate, steps, state, theta;
-    int64_t id[LANES], next[LANES];
-    int retries[LANES];
-} __attribute__((aligned(64))) block_t;
-
-/* Trajectories ready to be loaded into lanes. */
-typedef struct {
-    lanes p[NP], c[NC], w[NW], x[NS], xn[NS], k[2][NS], h;
-    int64_t id;
-    int used, count;
-} __attribute__((aligned(64))) queue_t;
 
 INLINE double larger(double a, double b) { return a > b ? a : b; }
 INLINE double smaller(double a, double b) { return a < b ? a : b; }
@@ -292,7 +247,117 @@ static void rates(const lanes *c, lanes *w, const lanes *x, lanes *f)
     }
 }
 
-static void cap(block_t *b);
+INLINE void output(const lanes *c, int l, double x0, double x1, double x6, double x2, double x3, double x4, double x5, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5, double *y6, double *y7, double *y8)
+{
+    const double w0 = c[1][l] * x1;
+    const double w1 = w0 + x0;
+    const double w2 = c[5][l] * w1;
+    const double w3 = c[0][l] - w2;
+    const double w4 = c[2][l] * x1;
+    const double w5 = x0 - w4;
+    const double w6 = c[6][l] * w5;
+    const double w7 = w3 - w6;
+    const double w8 = c[7][l] * w5;
+    const double w9 = w7 - w8;
+    const double w10 = c[8][l] * w9;
+    const double w11 = c[11][l] * w1;
+    const double w12 = c[10][l] + w11;
+    const double w13 = c[9][l] * w5;
+    const double w14 = w13 - w12;
+    const double w15 = c[12][l] * w5;
+    const double w16 = w14 + w15;
+    const double w17 = c[4][l] * w1;
+    const double w18 = c[4][l] * w5;
+    const double w19 = c[4][l] * x0;
+    *y0 = w17;
+    *y1 = w18;
+    *y2 = w19;
+    *y3 = w2;
+    *y4 = w6;
+    *y5 = w8;
+    *y6 = w10;
+    *y7 = w9;
+    *y8 = w16;
+}
+
+static void observe_lanes(const lanes *c, const lanes *x, lanes *y)
+{
+    LANE_LOOP {
+        output(c, l, x[0][l], x[1][l], x[2][l], x[3][l], x[4][l], x[5][l], x[6][l], &y[0][l], &y[1][l], &y[2][l], &y[3][l], &y[4][l], &y[5][l], &y[6][l], &y[7][l], &y[8][l]);
+    }
+}
+
+static void observe_row(const lanes *c, int l, double (*x)[TILE], double (*y)[TILE], int count)
+{
+    _Pragma("omp simd")
+    for (int s = 0; s < count; ++s)
+        output(c, l, x[0][s], x[1][s], x[2][s], x[3][s], x[4][s], x[5][s], x[6][s], &y[0][s], &y[1][s], &y[2][s], &y[3][s], &y[4][s], &y[5][s], &y[6][s], &y[7][s], &y[8][s]);
+}
+
+
+/* Many trajectories side by side: DOP853, every lane with its own time, step and tolerance.
+ *
+ * A block holds LANES trajectories as structure of arrays; every loop over lanes is a vector
+ * loop.  A lane that has reached the end is written out and loaded with the next trajectory, so
+ * no lane waits for a slower neighbour.  A lane never reads another lane: a result does not
+ * depend on the number of threads, on the order, or on the company a trajectory keeps.
+ *
+ * Never build with -ffast-math: it hides NaN and shares rounding errors between lanes.
+ */
+enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8 };
+
+static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0;
+static const double SHARE = 0.03;          /* local tolerance tau / tol */
+static const double TRUST = 1.0;           /* estimated global error / tol that is accepted */
+static const double REACH = 7.6, HOLD = 0.97;  /* see cap() */
+static const double GUARD = 0.09;          /* see measure() */
+static const double BETWEEN = 0.003;       /* see measure_between() */
+
+typedef struct {
+    lanes c[NC], w[NW], x[NS], begin[NS], f0[NS], past[NS], scale[NS], xn[NS], e5[NS], e3[NS];
+    lanes k[DENSE_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1], largest[ROWS], first[ROWS];
+    lanes mode[NS], turn[NS], growth, rho, reach, t, h, h0, least, tau, error, local, head, tail;
+    lanes drift, shift, estimate, steps, state, theta;
+    int64_t id[LANES], next[LANES];
+    int retries[LANES];
+} __attribute__((aligned(64))) block_t;
+
+/* Trajectories ready to be loaded into lanes. */
+typedef struct {
+    lanes p[NP], c[NC], w[NW], x[NS], xn[NS], k[2][NS], h;
+    int64_t id;
+    int used, count;
+} __attribute__((aligned(64))) queue_t;
+
+/* ---- step control ------------------------------------------------------------------------ */
+
+/* Keep the step within REACH tau^(1/12) / |largest eigenvalue|.  Near the edge of stability the
+ * fast modes that have died out make the error estimate blind, now and then by a factor of a
+ * hundred.  The eigenvalue comes from a power iteration that makes one turn a step:
+ * turn = J mode. */
+static void cap(block_t *b)
+{
+    lanes size, grown;
+    LANE_LOOP size[l] = grown[l] = 0.0;
+    for (int j = 0; j < ND; ++j)
+        LANE_LOOP {
+            const double w = 1.0 / b->scale[j][l];
+            size[l] = larger(size[l], w * fabs(b->mode[j][l]));
+            grown[l] = larger(grown[l], w * fabs(b->turn[j][l]));
+        }
+    LANE_LOOP {
+        const double growth = grown[l] / (size[l] + DBL_MIN);
+        const double mean = sqrt(growth * b->growth[l]);
+        const double rho = larger(mean, HOLD * b->rho[l]), h = b->h[l];
+        b->growth[l] = growth;
+        b->rho[l] = rho;
+        b->h[l] = h * rho > b->reach[l] ? b->reach[l] / rho : h;
+        size[l] = growth > 0.0 ? 1.0 / grown[l] : 0.0;
+    }
+    for (int j = 0; j < ND; ++j)
+        LANE_LOOP b->mode[j][l] = size[l] > 0.0 ? b->turn[j][l] * size[l] : b->mode[j][l];
+}
+
 static void stage0(block_t *b)
 {
     LANE_LOOP {
@@ -590,82 +655,6 @@ static void prepare_dense(block_t *b)
     }
 }
 
-INLINE void output(const lanes *c, int l, double x0, double x1, double x6, double x2, double x3, double x4, double x5, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5, double *y6, double *y7, double *y8)
-{
-    const double w0 = c[1][l] * x1;
-    const double w1 = w0 + x0;
-    const double w2 = c[5][l] * w1;
-    const double w3 = c[0][l] - w2;
-    const double w4 = c[2][l] * x1;
-    const double w5 = x0 - w4;
-    const double w6 = c[6][l] * w5;
-    const double w7 = w3 - w6;
-    const double w8 = c[7][l] * w5;
-    const double w9 = w7 - w8;
-    const double w10 = c[8][l] * w9;
-    const double w11 = c[11][l] * w1;
-    const double w12 = c[10][l] + w11;
-    const double w13 = c[9][l] * w5;
-    const double w14 = w13 - w12;
-    const double w15 = c[12][l] * w5;
-    const double w16 = w14 + w15;
-    const double w17 = c[4][l] * w1;
-    const double w18 = c[4][l] * w5;
-    const double w19 = c[4][l] * x0;
-    *y0 = w17;
-    *y1 = w18;
-    *y2 = w19;
-    *y3 = w2;
-    *y4 = w6;
-    *y5 = w8;
-    *y6 = w10;
-    *y7 = w9;
-    *y8 = w16;
-}
-
-static void observe_lanes(const lanes *c, const lanes *x, lanes *y)
-{
-    LANE_LOOP {
-        output(c, l, x[0][l], x[1][l], x[2][l], x[3][l], x[4][l], x[5][l], x[6][l], &y[0][l], &y[1][l], &y[2][l], &y[3][l], &y[4][l], &y[5][l], &y[6][l], &y[7][l], &y[8][l]);
-    }
-}
-
-static void observe_row(const lanes *c, int l, double (*x)[TILE], double (*y)[TILE], int count)
-{
-    _Pragma("omp simd")
-    for (int s = 0; s < count; ++s)
-        output(c, l, x[0][s], x[1][s], x[2][s], x[3][s], x[4][s], x[5][s], x[6][s], &y[0][s], &y[1][s], &y[2][s], &y[3][s], &y[4][s], &y[5][s], &y[6][s], &y[7][s], &y[8][s]);
-}
-
-
-/* ---- step control ------------------------------------------------------------------------ */
-
-/* Keep the step within REACH tau^(1/12) / |largest eigenvalue|.  Near the edge of stability the
- * fast modes that have died out make the error estimate blind, now and then by a factor of a
- * hundred.  The
- * eigenvalue comes from a power iteration that makes one turn a step: turn = J mode. */
-static void cap(block_t *b)
-{
-    lanes size, grown;
-    LANE_LOOP size[l] = grown[l] = 0.0;
-    for (int j = 0; j < ND; ++j)
-        LANE_LOOP {
-            const double w = 1.0 / b->scale[j][l];
-            size[l] = larger(size[l], w * fabs(b->mode[j][l]));
-            grown[l] = larger(grown[l], w * fabs(b->turn[j][l]));
-        }
-    LANE_LOOP {
-        const double growth = grown[l] / (size[l] + DBL_MIN);
-        const double mean = sqrt(growth * b->growth[l]);
-        const double rho = larger(mean, HOLD * b->rho[l]), h = b->h[l];
-        b->growth[l] = growth;
-        b->rho[l] = rho;
-        b->h[l] = h * rho > b->reach[l] ? b->reach[l] / rho : h;
-        size[l] = growth > 0.0 ? 1.0 / grown[l] : 0.0;
-    }
-    for (int j = 0; j < ND; ++j)
-        LANE_LOOP b->mode[j][l] = size[l] > 0.0 ? b->turn[j][l] * size[l] : b->mode[j][l];
-}
 
 /* The interpolation's error: its last term, made smaller as the next one would be (h |eigenvalue|).
  * It may use up tol, while the error of the step stays below tau. */
@@ -1114,3 +1103,4 @@ __attribute__((visibility("default"))) void integrate(const job_t *job)
 #pragma omp parallel num_threads((int)job->threads)
     work(job, &shared);
 }
+
