@@ -130,7 +130,7 @@ def main() -> None:
     mp.mp.dps = 40
     eighth = mp.tan(mp.pi / 8)
     data = {
-        "atan": polynomial("atan", lambda s: mp.atan(mp.sqrt(s)) / mp.sqrt(s), eighth**2, 10),
+        "atan": polynomial("atan", lambda s: mp.atan(mp.sqrt(s)) / mp.sqrt(s), eighth**2, 9),
         "sin": polynomial(
             "sin", lambda s: mp.sin(mp.sqrt(s)) / mp.sqrt(s), (mp.pi / 2) ** 2 * mp.mpf("1.001"), 7
         ),

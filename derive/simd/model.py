@@ -51,6 +51,7 @@ class KernelModel:
     dynamic: int
     rates: list[int]
     turns: list[int]
+    spread: int
     outputs: list[int]
     constants: list[int]
     n_parameters: int
@@ -71,7 +72,7 @@ class KernelModel:
     def turn(self) -> Phases:
         """The right-hand side together with its derivative along a direction."""
         results = [(node, f"f[{j}][l]") for j, node in enumerate(self.rates)]
-        results += [(node, f"g[{j}][l]") for j, node in enumerate(self.turns)]
+        results += [(node, f"g[{j}][l]") for j, node in enumerate([*self.turns, self.spread])]
         leaves = [f"x{j}" for j in self.moving] + [f"d{j}" for j in self.moving]
         return phase_functions("turn", self.graph, self.constants, results, leaves)
 
@@ -106,8 +107,9 @@ def read_model(rhs: ca.Function, outputs: ca.Function, keep: Iterable[int]) -> K
     ]
     turned = graph.read(_directional(rhs), [*leaves, mode])
     turns = [turned[j] for j in moving]
-    constants = graph.hoisted(kept + seen + turns)
-    return KernelModel(graph, order, len(dynamic), kept, turns, seen, constants, len(p))
+    (spread,) = graph.read(_divergence(rhs, moving), leaves)
+    constants = graph.hoisted([*kept, *seen, *turns, spread])
+    return KernelModel(graph, order, len(dynamic), kept, turns, spread, seen, constants, len(p))
 
 
 def _directional(rhs: ca.Function) -> ca.Function:
@@ -116,6 +118,14 @@ def _directional(rhs: ca.Function) -> ca.Function:
     direction = ca.SX.sym("d", x.numel())
     turn = ca.densify(ca.jtimes(rhs(x, u, p), x, direction))
     return ca.Function("turn", [x, u, p, direction], [turn])
+
+
+def _divergence(rhs: ca.Function, moving: Sequence[int]) -> ca.Function:
+    """``(x, u, p) -> sum of d xdot_j / d x_j`` over the dynamic states."""
+    arguments = rhs.sx_in()
+    jacobian = ca.jacobian(rhs(*arguments), arguments[0])
+    spread = ca.sum1(ca.vertcat(*(jacobian[j, j] for j in moving)))
+    return ca.Function("divergence", arguments, [ca.densify(spread)])
 
 
 def _states_read(graph: Graph, targets: Sequence[int], x: Sequence[int]) -> set[int]:

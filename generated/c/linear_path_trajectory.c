@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 8b65e46912836a4e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 25663fbb99957cc5) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* What every kernel of a model begins with; a driver follows. */
 #include <float.h>
 #include <math.h>
@@ -34,7 +34,7 @@ INLINE double lane_atan(double x)
 {
     double offset;
     const double t = fold(fabs(x), &offset), s = t * t, s2 = s * s;
-    const double p = (-0.333333333333332 + s2 * (-0.14285714280166695 + s2 * (-0.09090897725441827 + s2 * (-0.06663099239444317 + s2 * (-0.050391915239019154 + s2 * -0.017905068508619608))))) + s * (0.1999999999995325 + s2 * (0.11111110782161802 + s2 * (0.07692059720686319 + s2 * (0.0584785952438383 + s2 * 0.03806216704894653))));
+    const double p = (-0.3333333333333015 + s2 * (-0.14285714195261148 + s2 * (-0.09090782412337584 + s2 * (-0.06641121186601258 + s2 * -0.04359095370168373)))) + s * (0.19999999999088952 + s2 * (0.11111106653580938 + s2 * (0.07690068299297602 + s2 * (0.05692538997871437 + s2 * 0.021259847052258217))));
     return copysign(offset + (t + t * s * p), x);
 }
 
@@ -62,7 +62,7 @@ INLINE double lane_max(double a, double b) { return a > b ? a : (b >= a ? b : a 
 INLINE double lane_sign(double a) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : a); }
 
 
-enum { NS = 7, ND = 3, NP = 11, NC = 18, NW = 1, NY = 9, NY1 = 9 };
+enum { NS = 7, ND = 3, NP = 11, NC = 19, NW = 1, NY = 9, NY1 = 9 };
 enum { ROWS = NS + NY };                     /* states, then outputs */
 enum { TILE = 64, RETRIES = 4 };
 enum { RUNNING = -1, OK = 0, NON_FINITE = 1, STEP_LIMIT = 2, UNSURE = 3, LEFT_RANGE = 4 };
@@ -119,6 +119,31 @@ static void constants(const lanes *p, lanes *c)
         const double w18 = p[4][l] * w17;
         const double w19 = p[3][l] * w2;
         const double w20 = p[4][l] * w9;
+        const double w21 = p[9][l] / p[5][l];
+        const double w22 = 2.0 * w21;
+        const double w23 = w4 / p[5][l];
+        const double w24 = p[6][l] * w23;
+        const double w25 = w7 * w24;
+        const double w26 = w22 + w25;
+        const double w27 = p[10][l] / p[5][l];
+        const double w28 = w26 + w27;
+        const double w29 = w28 / p[1][l];
+        const double w30 = p[4][l] / p[5][l];
+        const double w31 = w4 * w30;
+        const double w32 = p[6][l] * w31;
+        const double w33 = w7 * w32;
+        const double w34 = p[4][l] * w33;
+        const double w35 = p[3][l] / p[5][l];
+        const double w36 = p[9][l] * w35;
+        const double w37 = 2.0 * w36;
+        const double w38 = p[3][l] * w37;
+        const double w39 = w34 + w38;
+        const double w40 = p[10][l] * w30;
+        const double w41 = p[4][l] * w40;
+        const double w42 = w39 + w41;
+        const double w43 = w42 / p[2][l];
+        const double w44 = w29 + w43;
+        const double w45 = -w44;
         c[0][l] = p[0][l];
         c[1][l] = p[3][l];
         c[2][l] = p[4][l];
@@ -137,6 +162,7 @@ static void constants(const lanes *p, lanes *c)
         c[15][l] = w18;
         c[16][l] = w19;
         c[17][l] = w20;
+        c[18][l] = w45;
     }
 }
 

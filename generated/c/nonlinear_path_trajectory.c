@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 8b65e46912836a4e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 25663fbb99957cc5) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* What every kernel of a model begins with; a driver follows. */
 #include <float.h>
 #include <math.h>
@@ -34,7 +34,7 @@ INLINE double lane_atan(double x)
 {
     double offset;
     const double t = fold(fabs(x), &offset), s = t * t, s2 = s * s;
-    const double p = (-0.333333333333332 + s2 * (-0.14285714280166695 + s2 * (-0.09090897725441827 + s2 * (-0.06663099239444317 + s2 * (-0.050391915239019154 + s2 * -0.017905068508619608))))) + s * (0.1999999999995325 + s2 * (0.11111110782161802 + s2 * (0.07692059720686319 + s2 * (0.0584785952438383 + s2 * 0.03806216704894653))));
+    const double p = (-0.3333333333333015 + s2 * (-0.14285714195261148 + s2 * (-0.09090782412337584 + s2 * (-0.06641121186601258 + s2 * -0.04359095370168373)))) + s * (0.19999999999088952 + s2 * (0.11111106653580938 + s2 * (0.07690068299297602 + s2 * (0.05692538997871437 + s2 * 0.021259847052258217))));
     return copysign(offset + (t + t * s * p), x);
 }
 
@@ -62,7 +62,7 @@ INLINE double lane_max(double a, double b) { return a > b ? a : (b >= a ? b : a 
 INLINE double lane_sign(double a) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : a); }
 
 
-enum { NS = 7, ND = 3, NP = 19, NC = 32, NW = 13, NY = 9, NY1 = 9 };
+enum { NS = 7, ND = 3, NP = 19, NC = 38, NW = 19, NY = 9, NY1 = 9 };
 enum { ROWS = NS + NY };                     /* states, then outputs */
 enum { TILE = 64, RETRIES = 4 };
 enum { RUNNING = -1, OK = 0, NON_FINITE = 1, STEP_LIMIT = 2, UNSURE = 3, LEFT_RANGE = 4 };
@@ -148,6 +148,24 @@ static void constants(const lanes *p, lanes *c)
         const double w47 = p[4][l] * w45;
         const double w48 = p[3][l] * w41;
         const double w49 = p[4][l] * w46;
+        const double w50 = w1 / w4;
+        const double w51 = w7 * w50;
+        const double w52 = p[15][l] * w50;
+        const double w53 = p[18][l] * w52;
+        const double w54 = w53 * w10;
+        const double w55 = p[4][l] / p[5][l];
+        const double w56 = w16 * w55;
+        const double w57 = p[6][l] * w56;
+        const double w58 = w19 * w57;
+        const double w59 = p[4][l] * w58;
+        const double w60 = w1 * p[3][l];
+        const double w61 = w60 / w4;
+        const double w62 = w7 * w61;
+        const double w63 = p[15][l] * w61;
+        const double w64 = p[18][l] * w63;
+        const double w65 = w64 * w10;
+        const double w66 = p[9][l] * w55;
+        const double w67 = p[4][l] * w66;
         c[0][l] = p[0][l];
         c[1][l] = p[3][l];
         c[2][l] = p[4][l];
@@ -180,6 +198,12 @@ static void constants(const lanes *p, lanes *c)
         c[29][l] = w47;
         c[30][l] = w48;
         c[31][l] = w49;
+        c[32][l] = w51;
+        c[33][l] = w54;
+        c[34][l] = w59;
+        c[35][l] = w62;
+        c[36][l] = w65;
+        c[37][l] = w67;
     }
 }
 
