@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 25663fbb99957cc5) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 71bffe3d1675dfaf) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Kernels for many aircraft at once: compiled on first use, called with NumPy arrays.
 
 They are compiled for the processor at hand, so AVX2 or AVX-512 is used where it is there, and
@@ -297,7 +297,6 @@ class Stepper:
         )
         self._reference = ctypes.byref(self._job)
         self._trace = _load(f"{kernel}_trajectory").trace
-        self._status = self._summary.view(np.int8)[:1]
 
     def __call__(self, x0: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
         """Rows over time; NaN after an early end, of which `status` tells the reason."""
@@ -310,7 +309,17 @@ class Stepper:
     @property
     def status(self) -> str:
         """What became of the last trajectory, one of `STATUS`."""
-        return STATUS[int(self._status[0])]
+        return STATUS[int(self._summary.view(np.int8)[0])]
+
+    @property
+    def steps(self) -> int:
+        """Attempted steps of the last trajectory."""
+        return int(self._summary.view(np.int32)[2])
+
+    @property
+    def estimate(self) -> float:
+        """Estimated error of the last trajectory, relative to each state's scale."""
+        return float(self._summary[2])
 
 
 def can_sweep(function: str) -> bool:
