@@ -4,13 +4,14 @@ Ensembles (Runge-Kutta) are measured against the solver of single trajectories (
 the solver against ensembles, each at 1e-13, far below what is offered: two methods that share
 nothing but the model. An error is relative to the state's largest magnitude on its trajectory.
 
-    python tests/benchmarks/accuracy.py > tests/benchmarks/results/accuracy.md
+It writes the table `results/accuracy.md` and the picture `docs/images/accuracy.png`.
 """
 
 from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,6 +27,9 @@ BODY, PATH = ("v", "r", "y", "theta"), ("v", "r", "X", "Y", "psi")
 LARGE_SLIP = {"B1": 0.7587, "C1": 1.187, "D1": 1.017, "E1": 0.387}
 HEAVY = {"m": 2500.0, "Izz": 9000.0, "b": 6.0, "Fz": 2500 * 9.81 / 2, **LARGE_SLIP}
 STIFF = {"Izz": 900.0, "D1": 9.0, "b": 5.0, "CL_gamma": 9.0}
+
+
+HERE = Path(__file__).resolve().parent
 
 
 class Cloud(NamedTuple):
@@ -108,8 +112,26 @@ WAYS = {
 }
 
 
-def lines(way: str, seed: int) -> Iterator[str]:
-    """Rows of the table."""
+class Row(NamedTuple):
+    """Errors over tol of one cloud, and how many were left out and why."""
+
+    way: str
+    cloud: str
+    tol: float
+    steps: float
+    errors: np.ndarray
+    unsound: int
+    unknown: int
+
+    def __str__(self) -> str:
+        e = self.errors
+        worst = f"{np.median(e):.1g} | {np.quantile(e, 0.999):.1g} | {e.max():.2g}"
+        counts = f"{np.sum(e > 1)} | {self.unsound} | {self.unknown}"
+        return f"| {self.cloud} | {self.tol:.0e} | {self.steps:.1f} | {worst} | {counts} |"
+
+
+def study(way: str, seed: int) -> Iterator[Row]:
+    """Every cloud at every tolerance."""
     measured, reference = WAYS[way]
     for number, cloud in enumerate(CLOUDS):
         plane, start = draw(cloud, seed + number)
@@ -120,20 +142,48 @@ def lines(way: str, seed: int) -> Iterator[str]:
             last = exact.rows[:, :, -found.rows.shape[2] :]
             error = (np.abs(found.rows - last).max(axis=2) / scale).max(axis=1) / tol
             known = np.isfinite(scale).all(axis=1) & (exact.estimate < 0.1 * tol)
-            e = error[found.sound & known]
-            worst = f"{np.median(e):.1g} | {np.quantile(e, 0.999):.1g} | {e.max():.2g}"
-            doubts = f"{np.sum(e > 1)} | {np.sum(~found.sound)} | {np.sum(~known)}"
-            yield f"| {cloud.name} | {tol:.0e} | {found.steps.mean():.1f} | {worst} | {doubts} |"
+            errors = error[found.sound & known]
+            counts = int(np.sum(~found.sound)), int(np.sum(~known))
+            yield Row(way, cloud.name, tol, float(found.steps.mean()), errors, *counts)
+
+
+def picture(rows: list[Row], path: Path) -> None:
+    """Share of the trajectories whose error is larger, for the final states of ensembles."""
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib import pyplot
+
+    from groundloop.plots import INK, style
+
+    share = np.geomspace(1.0 / COUNT, 1.0, 300)
+    with style():
+        figure, axes = pyplot.subplots(1, 2, figsize=(8.4, 3.6), sharex=True, sharey=True)
+        for ax, tol in zip(axes, (1e-6, 1e-9), strict=True):
+            shown = [row for row in rows if row.way == next(iter(WAYS)) and row.tol == tol]
+            for row, line in zip(shown, [*"------", "--"], strict=True):
+                ax.loglog(np.quantile(row.errors, 1.0 - share), share, line, label=row.cloud)
+            ax.set_xlim(1e-5, 3.0)
+            ax.axvline(1.0, color=INK, linewidth=0.9)
+            ax.set_title(f"tol = {tol:g}")
+            ax.set_xlabel("error / tol")
+        axes[0].set_ylabel("share of trajectories with more")
+        figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+        figure.savefig(path, dpi=110)
 
 
 def main() -> None:
-    print(f"# Error over `tol`, {COUNT:,} random trajectories of each kind\n")
     head = "trajectories | tol | steps | median | 99.9 % | largest | above tol | not ok | unknown"
+    lines, rows = [f"# Error over `tol`, {COUNT:,} random trajectories of each kind", ""], []
     for number, way in enumerate(WAYS):
-        print(f"## {way}\n\n| {head} |\n|{'---|' * 9}", flush=True)
-        for line in lines(way, 1000 * (number + 7)):
-            print(line, flush=True)
-        print()
+        lines += [f"## {way}", "", f"| {head} |", "|---" * 9 + "|"]
+        for row in study(way, 1000 * (number + 7)):
+            print(row, flush=True)
+            lines.append(str(row))
+            rows.append(row)
+        lines.append("")
+    (HERE / "results" / "accuracy.md").write_text("\n".join(lines))
+    picture(rows, HERE.parents[1] / "docs" / "images" / "accuracy.png")
 
 
 if __name__ == "__main__":
