@@ -22,9 +22,10 @@ METHODS = ("rk45", "rk4")
 #: a tape of its steps for the adjoint; this keeps it short.
 _LONGEST = {"rk45": 1.0, "rk4": 0.01}
 
-#: Steps under an input that varies start at this length, s, and are halved until they agree.
+#: Steps under an input that varies start at this length, s, or at what lies between outputs and
+#: breaks if that is less, and are halved until they agree.
 _FIRST_STEP = 0.02
-_HALVINGS = 7
+_HALVINGS = 8
 #: They agree when no state changes by more than this share of its largest magnitude: as the error
 #: falls with the fourth power of the step, that of the finer ones is then a fifteenth of it.
 _AGREED = 1e-9
@@ -180,8 +181,8 @@ def integrate_varying(
     """
     runs = x0.shape[1]
 
-    def states(longest: float, which: Sequence[int]) -> FloatArray:
-        edges = _edges(t, breaks, longest)
+    def states(longest: float, halvings: int, which: Sequence[int]) -> FloatArray:
+        edges = _edges(t, breaks, longest, 2**halvings)
         ends = np.stack([(edges[:-1] + edges[1:]) / 2, edges[1:]], axis=1).ravel()
         F = integrator(tire, method, ends, piecewise=True)
         held, outputs = _held(u, edges), np.searchsorted(ends, t)
@@ -189,11 +190,11 @@ def integrate_varying(
         return np.stack(paths)[:, :, outputs]
 
     if method != "rk45":
-        return states(_LONGEST[method], range(runs))
-    x = states(_FIRST_STEP, range(runs))
+        return states(_LONGEST[method], 0, range(runs))
+    x = states(_FIRST_STEP, 0, range(runs))
     unsettled = np.arange(runs)
     for halvings in range(1, _HALVINGS + 1):
-        fine = states(_FIRST_STEP / 2**halvings, unsettled.tolist())
+        fine = states(_FIRST_STEP, halvings, unsettled.tolist())
         change, size = np.abs(fine - x[unsettled]).max(axis=2), np.abs(fine).max(axis=2)
         x[unsettled] = fine
         unsettled = unsettled[(change > _AGREED * size).any(axis=1)]
@@ -221,17 +222,20 @@ def _advance(
     return x
 
 
-def _edges(times: FloatArray, breaks: Sequence[float], longest: float) -> FloatArray:
-    """Ends of the steps, from 0 to the last output time: all outputs, all breaks, and between."""
+def _edges(times: FloatArray, breaks: Sequence[float], longest: float, parts: int) -> FloatArray:
+    """Ends of the steps, from 0 to the last output time: all outputs, all breaks, and between.
+
+    Steps no longer than `longest` are divided into so many parts.
+    """
     tiny = 1e-12 * times[-1]
     inner = np.array([b for b in breaks if tiny < b < times[-1] and np.abs(times - b).min() > tiny])
     marks = np.union1d(np.concatenate([[0.0], times]), inner)
-    pieces = np.maximum(1, np.ceil(np.diff(marks) / longest - 1e-9)).astype(int)
-    parts = [
+    pieces = parts * np.maximum(1, np.ceil(np.diff(marks) / longest - 1e-9)).astype(int)
+    steps = [
         np.linspace(begin, end, n, endpoint=False)
         for (begin, end), n in zip(pairwise(marks.tolist()), pieces.tolist(), strict=True)
     ]
-    return np.concatenate([*parts, times[-1:]])
+    return np.concatenate([*steps, times[-1:]])
 
 
 def _held(u: Callable[[FloatArray], FloatArray], edges: FloatArray) -> FloatArray:

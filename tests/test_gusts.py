@@ -35,20 +35,20 @@ def plane() -> gl.Aircraft:
     return gl.Aircraft.load("brott-physical")
 
 
-def oracle(plane: gl.Aircraft, tire: str, gust: gusts.Gust, x0: Array) -> Array:
+def oracle(plane: gl.Aircraft, tire: str, gust: gusts.Gust, x0: Array, times: Array = T) -> Array:
     """States by SciPy with the input as it is, piece by piece between its breaks."""
     f, p = right_hand_side(tire), plane.parameters(tire)
-    ends = [0.0, *(b for b in gust.breaks if 0 < b < T[-1]), T[-1]]
-    states, x = np.empty((x0.size, T.size)), x0
+    ends = [0.0, *(b for b in gust.breaks if 0 < b < times[-1]), times[-1]]
+    states, x = np.empty((x0.size, times.size)), x0
     for begin, end in pairwise(ends):
-        here = (begin <= T) & (end >= T)
+        here = (begin <= times) & (end >= times)
 
         def rate(t: float, x: Array, begin: float = begin, end: float = end) -> Array:
             inside = np.clip(t, np.nextafter(begin, end), np.nextafter(end, begin))
             return f(x, np.array([float(gust(inside))]), p)
 
         solution = solve_ivp(
-            rate, (begin, end), x, "DOP853", np.union1d(T[here], [end]), rtol=1e-13, atol=1e-15
+            rate, (begin, end), x, "DOP853", np.union1d(times[here], [end]), rtol=1e-13, atol=1e-15
         )
         states[:, here], x = solution.y[:, : here.sum()], solution.y[:, -1]
     return states
@@ -86,6 +86,16 @@ def test_steps_are_of_fourth_order(plane: gl.Aircraft) -> None:
         x = integrate_varying("nonlinear", "rk4", t, x0[:, None], lambda t: gust(t)[None, None], p)
         errors.append(np.abs(x[0, :, -1] - exact).max())
     assert 12 < errors[0] / errors[1] < 20
+
+
+@pytest.mark.parametrize("samples", [3, 101])
+def test_a_short_gust_is_not_lost_between_samples(plane: gl.Aircraft, samples: int) -> None:
+    """Steps are halved from those between samples and breaks, however close these are."""
+    gust, x0 = gusts.one_minus_cosine(peak=9000.0, start=0.5, length=0.01), np.zeros(7)
+    run = gl.simulate(plane, disturbance=gust, t=1.0, samples=samples)
+    exact = oracle(plane, "nonlinear", gust, x0, run.t)
+    moved = ("v", "r", "y", "theta")
+    assert error(np.array([run[s] for s in moved]), exact[:4]) < 1e-9
 
 
 def test_a_jump_that_is_not_declared_is_noticed(plane: gl.Aircraft) -> None:
