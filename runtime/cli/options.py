@@ -287,6 +287,7 @@ def draw(
     if plotless or (plot is None and form != "table"):
         return
     import matplotlib as mpl
+    from matplotlib import pyplot
 
     from groundloop.errors import GroundloopError
     from groundloop.files import complete
@@ -301,6 +302,8 @@ def draw(
             drawn.savefig(draft)
         except ValueError as problem:
             raise GroundloopError(f"cannot write the picture {path}: {problem}") from problem
+        finally:
+            pyplot.close(drawn)
     say(f"wrote {path}")
 
 
