@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
@@ -47,12 +47,18 @@ class Gust:
         What it is, in words.
     complete : bool
         Whether `breaks` is known to hold every jump; otherwise `refuse_jumps` looks for more.
+    start : ndarray
+        Time, s, until which there is no force; -inf if there is one from the beginning.
+    end : ndarray
+        Time, s, from which the force is constant; inf if that is not known.
     """
 
     force: Callable[[FloatArray], Any]
     breaks: tuple[float, ...] = ()
     label: str = "gust"
     complete: bool = True
+    start: FloatArray = field(default_factory=lambda: np.asarray(-np.inf))
+    end: FloatArray = field(default_factory=lambda: np.asarray(np.inf))
 
     def __call__(self, t: Any) -> FloatArray:
         times = finite("t", t)
@@ -81,7 +87,13 @@ class Gust:
             tuple(sorted({*self.breaks, *other.breaks})),
             f"{self.label} + {other.label}",
             self.complete and other.complete,
+            np.minimum(self.start, other.start),
+            np.maximum(self.end, other.end),
         )
+
+    def on_runs(self, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
+        """Forces on runs of some shape, one row each, shape (1, runs, times)."""
+        return np.broadcast_to(self(t), (*shape, t.size)).reshape(1, -1, t.size)
 
     def refuse_jumps(self, end: float) -> None:
         """Raise an error if the force or a derivative jumps before `end`, s, beside `breaks`.
@@ -134,7 +146,8 @@ def one_minus_cosine(peak: Any, start: Any = 0.0, length: Any = 1.0) -> Gust:
         return np.asarray(height[..., None] / 2 * (1 - np.cos(2 * np.pi * share)))
 
     label = f"1-cosine gust of {_text(height)} N from {_text(begin)} s over {_text(duration)} s"
-    return Gust(force, _times(begin, begin + duration), label)
+    last = begin + duration
+    return Gust(force, _times(begin, last), label, start=begin, end=last)
 
 
 def step(size: Any, start: Any = 0.0, end: Any = None) -> Gust:
@@ -162,7 +175,8 @@ def step(size: Any, start: Any = 0.0, end: Any = None) -> Gust:
 
     until = "" if last is None else f" to {_text(last)} s"
     label = f"step of {_text(height)} N from {_text(begin)} s{until}"
-    return Gust(force, _times(begin, *([] if last is None else [last])), label)
+    constant = begin if last is None else last
+    return Gust(force, _times(begin, constant), label, start=begin, end=constant)
 
 
 def sampled(t: Any, force: Any, *, hold: bool = False) -> Gust:
@@ -195,10 +209,20 @@ def sampled(t: Any, force: Any, *, hold: bool = False) -> Gust:
         return np.array(rows).reshape(*values.shape[:-1], at.size)
 
     label = f"{times.size} samples from {times[0]:g} to {times[-1]:g} s"
-    return Gust(held if hold else joined, _times(times), label)
+    acts, changes = values != 0, np.diff(values, axis=-1, prepend=values[..., :1]) != 0
+    first, last = acts.argmax(axis=-1), changes.shape[-1] - 1 - changes[..., ::-1].argmax(axis=-1)
+    return Gust(
+        held if hold else joined,
+        _times(times),
+        label,
+        start=np.where(first > 0, times[first - (0 if hold else 1)], -np.inf),
+        end=np.where(changes.any(axis=-1), times[last], times[0]),
+    )
 
 
-def of_time(force: Callable[[FloatArray], Any], breaks: Sequence[float] = ()) -> Gust:
+def of_time(
+    force: Callable[[FloatArray], Any], breaks: Sequence[float] = (), end: float | None = None
+) -> Gust:
     """Any function of time, with the times at which it or one of its derivatives jumps.
 
     Parameters
@@ -207,9 +231,21 @@ def of_time(force: Callable[[FloatArray], Any], breaks: Sequence[float] = ()) ->
         From an array of times, s, to an array of forces, N.
     breaks : sequence of float
         Times, s; a jump that is left out is an error when it is met.
+    end : float, optional
+        Time, s, from which the force stays as it is then; it goes on for ever if omitted.
     """
-    name = getattr(force, "__name__", type(force).__name__)
-    return Gust(force, _times(finite("breaks", breaks)), f"function {name}", complete=False)
+    label = f"function {getattr(force, '__name__', type(force).__name__)}"
+    jumps = finite("breaks", breaks)
+    if end is None:
+        return Gust(force, _times(jumps), label, complete=False)
+    last = finite("end", end)
+    return Gust(
+        lambda t: force(np.minimum(t, last)),
+        _times(jumps[jumps < last], last),
+        label,
+        complete=False,
+        end=last,
+    )
 
 
 def as_gust(disturbance: Any) -> Gust | None:

@@ -1,170 +1,177 @@
-"""What is read off the displacement y(t) after a disturbance (Sections 4.5.6 to 4.6.4)."""
+"""What is read off a response: the words of Sections 4.5.6 to 4.6.4, and those for gusts."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
 from .arrays import FloatArray
-from .errors import GroundloopError
-from .integration import integrator
-from .linearization import linearize
-from .names import signature
+from .curve import Curve
+from .generated.names import QUANTITIES
+from .names import signature, symbol
+from .settling import responses
 
 if TYPE_CHECKING:
     from .simulation import Trajectory
 
-#: Settled when v and r have fallen to this fraction of their peak.
-_REST = 1e-10
-#: Unstable, or too slow to tell, when that takes more windows of `_WINDOW` samples than this.
-_WINDOWS = 100
-_WINDOW = 500
-_STEP = 0.01  # s
-#: What is unstable when running straight never comes to rest: a growth rate, 1/s, beyond rounding.
-_NEUTRAL = 1e-9
-_NOTHING = (np.nan,) * 6
+#: What is smaller than this fraction of the largest it has been counts as zero.
+_ZERO = 1e-8
+_BAND = 0.05
+_NOTHING = (np.nan,) * 8
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Metrics:
-    """Read-outs of a response; NaN where the aircraft does not come to rest at a steady y.
+    """Read-outs of the response of a state, y if no other is named, to a start or a disturbance.
 
-    With several runs every attribute has their shape.
+    The response begins with the gust, or at t = 0 if the disturbance is constant; times count
+    from there. It ends when v and r are steady, long after the run if need be. What has no
+    meaning is NaN: everything if the state does not become steady (as y under a force that
+    stays) or the aircraft is unstable when running straight, and the words for the way to a new
+    value (the last four) if the state returns to where it began (as v after a gust).
+
+    With several runs every attribute has their shape; with several states, beside `displacement`
+    and `rotation`, one more axis before it.
 
     Attributes
     ----------
+    of : str or tuple of str
+        Which state, by symbol.
     displacement : ndarray
         Steady y, m, in aircraft coordinates.
     rotation : ndarray
         Steady theta, rad.
+    steady : ndarray
+        Steady value of the state, in its SI unit.
+    peak : ndarray
+        Its value of largest magnitude, with its sign.
+    peak_time : ndarray
+        When it has that value, s; infinite if it is the steady value, which is never reached.
+    recovery_time : ndarray
+        From when the disturbance is constant (after a gust: from its end) to the last time at
+        which the state enters a band around its steady value, s: 5 % of its largest distance
+        from it. 0 if it is in the band by then.
     time_constant : ndarray
-        First time at which y reaches 63.2 % of its steady value, s.
-    settling_time : ndarray
-        Last time at which y enters the band of 5 % around its steady value, s.
+        First time at which the state has gone 63.2 % of the way to its steady value, s.
     rise_time : ndarray
-        From the first 10 % to the first 90 % of the steady value, s.
+        From the first 10 % to the first 90 % of that way, s.
+    settling_time : ndarray
+        Last time at which it enters the band of 5 % of that way around its steady value, s.
     overshoot : ndarray
-        Peak over steady value, minus 1.
+        How far it goes beyond, over that way.
     """
 
+    of: str | tuple[str, ...]
     displacement: FloatArray
     rotation: FloatArray
+    steady: FloatArray
+    peak: FloatArray
+    peak_time: FloatArray
+    recovery_time: FloatArray
     time_constant: FloatArray
-    settling_time: FloatArray
     rise_time: FloatArray
+    settling_time: FloatArray
     overshoot: FloatArray
 
+    #: SI unit of each attribute; an empty one is the state's.
+    units: ClassVar[dict[str, str]] = {
+        "displacement": "m",
+        "rotation": "rad",
+        "steady": "",
+        "peak": "",
+        "peak_time": "s",
+        "recovery_time": "s",
+        "time_constant": "s",
+        "rise_time": "s",
+        "settling_time": "s",
+        "overshoot": "1",
+    }
 
-def metrics(run: Trajectory) -> Metrics:
-    """Metrics of a simulated run, which is continued until the aircraft is at rest sideways.
+    def __repr__(self) -> str:
+        states = [self.of] if isinstance(self.of, str) else self.of
+        lines = [f"Metrics of {', '.join(f'{s} ({QUANTITIES[s].name})' for s in states)}"]
+        for name, unit in self.units.items():
+            value = np.asarray(getattr(self, name))
+            text = f"{float(value):.5g}" if value.ndim == 0 else f"array {value.shape}"
+            own = unit or (QUANTITIES[self.of].unit if isinstance(self.of, str) else "")
+            lines.append(f"  {name:<14} {text} {'' if own == '1' else own}".rstrip())
+        return "\n".join(lines)
+
+
+def metrics(run: Trajectory, of: str | Sequence[str] = "y") -> Metrics:
+    """Metrics of a simulated run, which is continued until the aircraft moves steadily.
 
     Parameters
     ----------
     run : Trajectory
         One run or several.
+    of : str or sequence of str
+        Which state, or states, by symbol or full name.
 
     Returns
     -------
     Metrics
-        Read off a cubic through y and its derivative v at samples of 0.01 s.
+        Read off cubics through the states and their rates at samples of 0.01 s.
 
     Raises
     ------
     GroundloopError
-        If the disturbance of the run varies over time: these words describe the way from one
-        state to a steady one under a constant force.
+        If there is no such state, or it is not known when the gust of the run ends.
     """
-    if run.gust is not None:
-        raise GroundloopError(
-            f"metrics describe the response to an initial state under a constant disturbance, and"
-            f" this run has a {run.gust.label}; read the series instead, e.g. abs(run['Y']).max()"
-        )
-    start = {s: run[s][..., 0] for s in signature(run.tire).states}
-    p, flat, shape = run.aircraft.columns(run.tire, disturbance=run.disturbance, **start)
-    x0, u = np.stack([flat[s] for s in start]), flat["disturbance"][None]
-    decay_rate = np.broadcast_to(linearize(run.aircraft, run.tire).decay_rate, shape).ravel()
-    rows = [
-        _NOTHING if decay_rate[k] < -_NEUTRAL else _read(run.tire, x0[:, k], u[:, k], p[:, k])
-        for k in range(p.shape[1])
+    states, shape = signature(run.tire).states, run["v"].shape[:-1]
+    names = [of] if isinstance(of, str) else list(of)
+    wanted = tuple(symbol(name, "state", states, "metrics") for name in names)
+    found = responses(run)
+    at_rest = [
+        [np.nan if each is None else _steady(each.curves[s]) for each in found]
+        for s in ("y", "theta")
     ]
-    return Metrics(*(np.array(column).reshape(shape) for column in zip(*rows, strict=True)))
-
-
-def _read(tire: str, x0: FloatArray, u: FloatArray, p: FloatArray) -> tuple[float, ...]:
-    x = _until_rest(tire, x0, u, p)
-    if x is None:
-        return _NOTHING
-    names = signature(tire).states
-    v, y, theta = (x[names.index(s)] for s in ("v", "y", "theta"))
-    if y[-1] == y[0]:
-        return _NOTHING
-    t = _STEP * np.arange(y.size)
-    share, rate = (y - y[0]) / (y[-1] - y[0]), v / (y[-1] - y[0])
-    outside = np.flatnonzero(np.abs(share - 1) > 0.05)
-    settled = t[0] if outside.size == 0 else _last_entry(t, share, rate, int(outside[-1]))
-    ten, ninety = (_first(t, share, rate, level) for level in (0.1, 0.9))
-    return (
-        float(y[-1]),
-        float(theta[-1]),
-        _first(t, share, rate, 1 - np.exp(-1)),
-        settled,
-        ninety - ten,
-        max(float(share.max()) - 1, 0.0),
+    read = [
+        [_NOTHING if each is None else _read(each.curves[s], each.constant) for each in found]
+        for s in wanted
+    ]
+    by_word = np.moveaxis(np.array(read), -1, 0).reshape(len(_NOTHING), len(wanted), *shape)
+    one = isinstance(of, str)
+    return Metrics(
+        wanted[0] if one else wanted,
+        *np.reshape(at_rest, (2, *shape)),
+        *(by_word[:, 0] if one else by_word),
     )
 
 
-def _until_rest(tire: str, x0: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray | None:
-    """States at every step until v and r have died out; None if they don't."""
-    window = integrator(tire, "rk45", _STEP * np.arange(1.0, _WINDOW + 1))
-    names = signature(tire)
-    moving = [names.states.index(s) for s in names.dynamic]
-    parts = [x0[:, None]]
-    peak = np.zeros(len(moving))
-    for _ in range(_WINDOWS):
-        try:
-            x = np.array(window(parts[-1][:, -1], u, p), dtype=np.float64)
-        except RuntimeError:
-            return None
-        if not np.isfinite(x).all():
-            return None
-        parts.append(x)
-        magnitude = np.abs(x[moving])
-        peak = np.maximum(peak, np.maximum(magnitude.max(axis=1), np.abs(x0[moving])))
-        if (magnitude[:, -1] <= _REST * peak).all():
-            return np.concatenate(parts, axis=1)
-    return None
+def _steady(curve: Curve) -> float:
+    """The last value of a state; NaN if it is not steady."""
+    if not _is_zero(curve.before[-1], curve.after):
+        return math.nan
+    return 0.0 if _is_zero(curve.f[-1], curve.f) else float(curve.f[-1])
 
 
-def _first(t: FloatArray, f: FloatArray, rate: FloatArray, level: float) -> float:
-    """First time at which f passes a level."""
-    above = np.flatnonzero(f >= level)
-    if above.size == 0:
-        return float("nan")
-    k = int(above[0])
-    return float(t[0]) if k == 0 else _crossing(t, f, rate, k - 1, level)
+def _read(curve: Curve, constant: float) -> tuple[float, ...]:
+    """Steady value and everything after it in `Metrics`, of one state."""
+    steady = _steady(curve)
+    if math.isnan(steady):
+        return _NOTHING
+    times, values = curve.extremes()
+    begin, largest = curve.f[0], np.abs(values).argmax()
+    peak, when = values[largest], times[largest]
+    if _is_zero(peak - steady, values):
+        when = 0.0 if _is_zero(begin - steady, values) else math.inf
+    band = _BAND * np.abs(values - steady).max()
+    entries = [constant, *curve.crossings(steady - band), *curve.crossings(steady + band)]
+    at_peak = (steady, peak, when, max(entries) - constant)
+    way = steady - begin
+    if _is_zero(way, values - begin):
+        return (*at_peak, *_NOTHING[len(at_peak) :])
+    share = Curve(curve.t, (curve.f - begin) / way, curve.before / way, curve.after / way)
+    first = [share.crossings(level)[0] for level in (1 - np.exp(-1), 0.1, 0.9)]
+    settled = max([*share.crossings(1 - _BAND), *share.crossings(1 + _BAND)])
+    beyond = float(((values - begin) / way).max()) - 1
+    return (*at_peak, first[0], first[2] - first[1], settled, max(beyond, 0.0))
 
 
-def _last_entry(t: FloatArray, f: FloatArray, rate: FloatArray, k: int) -> float:
-    """Time after sample k at which f enters the band around 1 for good."""
-    return _crossing(t, f, rate, k, 1.05 if f[k] > 1 else 0.95)
-
-
-def _crossing(t: FloatArray, f: FloatArray, rate: FloatArray, k: int, level: float) -> float:
-    """Where the cubic through samples k and k + 1 and their slopes passes a level."""
-    h = t[k + 1] - t[k]
-    s = np.linspace(0.0, 1.0, 65)
-    cubic = (
-        f[k] * (1 + 2 * s) * (1 - s) ** 2
-        + f[k + 1] * s**2 * (3 - 2 * s)
-        + h * rate[k] * s * (1 - s) ** 2
-        + h * rate[k + 1] * s**2 * (s - 1)
-    )
-    for i, j in pairwise(range(s.size)):
-        if (cubic[i] - level) * (cubic[j] - level) <= 0 and cubic[i] != cubic[j]:
-            return float(
-                t[k] + h * (s[i] + (level - cubic[i]) / (cubic[j] - cubic[i]) * (s[j] - s[i]))
-            )
-    return float(t[k + 1])
+def _is_zero(value: float, beside: FloatArray) -> bool:
+    return bool(abs(value) <= _ZERO * np.abs(beside).max())

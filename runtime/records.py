@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,7 @@ from .arrays import FloatArray
 from .errors import GroundloopError
 from .files import complete
 from .generated.names import DIGEST
-from .gusts import Gust, sampled
+from .gusts import sampled
 from .linearization import Linearization, OperatingPoint
 from .simulation import Trajectory
 
@@ -162,7 +162,12 @@ def save_run(run: Trajectory, path: str | Path) -> Path:
     about = {
         "tire": run.tire,
         "values": list(run.values),
-        "gust": None if run.gust is None else {"label": run.gust.label, "breaks": run.gust.breaks},
+        "gust": run.gust
+        and {
+            "label": run.gust.label,
+            "breaks": run.gust.breaks,
+            "ended": bool((run.gust.end <= run.t[-1]).all()),
+        },
     }
     arrays = {"t": run.t, "disturbance": run.disturbance, **run.values}
     return write(path, "trajectory", arrays, about, run.aircraft)
@@ -197,7 +202,8 @@ def load_run(path: str | Path, *, other_equations: bool = False) -> Trajectory:
         raise GroundloopError(f"{path} is damaged: its series differ in length")
     if gust is not None:
         lines = sampled(t, disturbance)
-        gust = Gust(lines.force, lines.breaks, f"{gust['label']} (its samples)")
+        end = lines.end if gust["ended"] else np.asarray(np.inf)
+        gust = replace(lines, label=f"{gust['label']} (its samples)", end=end)
     return Trajectory(t, values, record.aircraft, about["tire"], disturbance, gust)
 
 

@@ -60,14 +60,14 @@ class Trajectory:
     def __getitem__(self, name: str) -> FloatArray:
         return self.values[symbol(name, "state or output", tuple(self.values), "this run")]
 
-    def metrics(self) -> Metrics:
-        """Steady state, rise time, settling time, overshoot and time constant of y.
+    def metrics(self, of: str | Sequence[str] = "y") -> Metrics:
+        """Steady state, peak, recovery, rise and settling time, overshoot of y or other states.
 
         See `groundloop.metrics.metrics`.
         """
         from .metrics import metrics
 
-        return metrics(self)
+        return metrics(self, of)
 
     def plot(
         self,
@@ -180,7 +180,7 @@ def simulate(
         u = np.repeat(constant[:, :, None], times.size, axis=2)
     else:
         gust.refuse_jumps(duration)
-        inputs = partial(_inputs, gust, shape)
+        inputs = partial(gust.on_runs, shape)
         after = integrate_varying(tire, method, times[1:], x0, inputs, p, gust.breaks)
         u = inputs(times)
     x = np.concatenate([x0.T[:, :, None], after], axis=2)
@@ -190,11 +190,6 @@ def simulate(
         for i, name in enumerate((*names.states, *names.outputs, *names.inputs))
     }
     return Trajectory(times, values, aircraft, tire, force, gust)
-
-
-def _inputs(gust: Gust, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
-    """Forces of a gust on runs of some shape, one row each, shape (1, runs, times)."""
-    return np.broadcast_to(gust(t), (*shape, t.size)).reshape(1, -1, t.size)
 
 
 def _outputs(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:

@@ -212,7 +212,20 @@ def test_bad_functions_of_time_are_named(plane: gl.Aircraft, force: object, mess
         gl.simulate(plane, disturbance=force)
 
 
-def test_a_gust_has_no_metrics(plane: gl.Aircraft) -> None:
-    run = gl.simulate(plane, disturbance=gusts.step(10.0), t=0.1, samples=2)
-    with pytest.raises(gl.GroundloopError, match=r"step of 10 N.*read the series"):
-        run.metrics()
+@pytest.mark.parametrize(
+    ("gust", "start", "end"),
+    [
+        (gusts.one_minus_cosine(1.0, 0.2, 0.5), 0.2, 0.7),
+        (gusts.step(1.0, 0.2), 0.2, 0.2),
+        (gusts.step(1.0, 0.2, 0.9), 0.2, 0.9),
+        (gusts.step(1.0, 0.2, 0.9) + gusts.one_minus_cosine(1.0, 0.1, 0.2), 0.1, 0.9),
+        (gusts.sampled([0.1, 0.2, 0.4, 0.5, 0.6], [0, 0, 7, 0, 0]), 0.2, 0.5),
+        (gusts.sampled([0.1, 0.2, 0.4, 0.5, 0.6], [0, 0, 7, 3, 3], hold=True), 0.4, 0.5),
+        (gusts.sampled([0.1, 0.2], [5, 5]), -np.inf, 0.1),
+        (gusts.of_time(np.sin), -np.inf, np.inf),
+        (gusts.of_time(np.sin, end=3.0), -np.inf, 3.0),
+    ],
+    ids=lambda value: repr(value) if isinstance(value, gusts.Gust) else "",
+)
+def test_start_and_end_of_a_gust(gust: gusts.Gust, start: float, end: float) -> None:
+    assert (gust.start, gust.end) == (pytest.approx(start), pytest.approx(end))

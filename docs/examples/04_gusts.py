@@ -19,6 +19,13 @@ for name, disturbance in disturbances.items():
     run = gl.simulate(plane, disturbance=disturbance, t=5.0)
     print(f"{name:<20} {abs(run['Y']).max():6.2f} m off, {run['psi'][-1]:+.3f} rad at the end")
 
+# How a gust is answered: metrics of any state; after a step, on the way to a steady turn.
+gust = gl.simulate(plane, disturbance=disturbances["a gust"]).metrics("r")
+print(f"yaw rate: {gust.peak:.3f} rad/s after {gust.peak_time:.2f} s,", end=" ")
+print(f"back {gust.recovery_time:.2f} s after the gust; {gust.displacement:.2f} m aside")
+wind = gl.simulate(plane, disturbance=disturbances["a wind that sets in"]).metrics("r")
+print(f"yaw rate: {wind.steady:.3f} rad/s in the end, {wind.overshoot:.0%} overshoot")
+
 # An array of peaks gives a run for each.
 peaks = np.array([50.0, 100.0, 200.0])
 run = gl.simulate(plane, disturbance=gl.gusts.one_minus_cosine(peaks, start=0.5), t=3.0)
