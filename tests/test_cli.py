@@ -159,6 +159,37 @@ def test_simulate_gives_what_the_api_gives(run):
     assert found["units"]["theta"] == "rad"
 
 
+def test_simulate_tells_how_a_gust_is_answered(run):
+    words = ("simulate", "brott", "--disturbance", "400 N", "--gust", "one_minus_cosine")
+    words += ("--gust-start", "500 ms", "--gust-length", "0.8 s")
+    found = json.loads(run(*words, "--format", "json").out)
+    gust = gl.gusts.one_minus_cosine(400.0, 0.5, 0.8)
+    expected = gl.simulate(gl.Aircraft.load("brott"), disturbance=gust)
+    assert found["gust"] == gust.label
+    np.testing.assert_allclose(found["v"], expected["v"], rtol=0, atol=0)
+    for state in ("v", "r", "y", "theta"):
+        metrics = expected.metrics(state)
+        assert found["metrics"][state]["peak"] == float(metrics.peak)
+        assert found["metrics"][state]["recovery_time"] == float(metrics.recovery_time)
+    assert found["metrics"]["r"]["rise_time"] is None
+    assert found["metrics"]["rotation"] == float(expected.metrics().rotation)
+    text = run(*words, "--no-plot").out
+    assert re.search(r"peak_time +\S+ s +\S+ s +\S+ s +\S+ s\n", text)
+    assert re.search(r"rise_time +none +none +\S+ s +\S+ s\n", text)
+
+
+def test_a_step_has_an_overshoot_and_may_end(run):
+    words = ("simulate", "brott", "--disturbance", "100 N", "--gust", "step")
+    stays = json.loads(run(*words, "--format", "json").out)
+    ends = json.loads(run(*words, "--gust-length", "2", "--format", "json").out)
+    plane = gl.Aircraft.load("brott")
+    expected = gl.simulate(plane, disturbance=gl.gusts.step(100.0)).metrics("r")
+    assert stays["metrics"]["r"]["overshoot"] == float(expected.overshoot) > 0
+    assert stays["metrics"]["displacement"] is None
+    assert ends["gust"] == "step of 100 N from 0 s to 2 s"
+    assert ends["metrics"]["r"]["steady"] == 0
+
+
 def test_states_that_differ_in_case_are_told_apart(run):
     found = json.loads(run("simulate", "brott", "--Y0", "3", "--y0", "1", "--format", "json").out)
     assert (found["Y"][0], found["y"][0]) == (3, 1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from groundloop.simulation import Trajectory
 
 _STATES = MODELS["nonlinear"].states
+#: Whose metrics are shown.
+_MEASURED = ("v", "r", "y", "theta")
 
 
 def _initial(command: Any) -> Any:
@@ -28,6 +31,17 @@ def _initial(command: Any) -> Any:
         text = f"{q.name.replace('_', ' ').capitalize()} at the start."
         command = options.quantity(f"{s}0", q.unit, text, default=0.0)(command)
     return command
+
+
+def _gust(command: Any) -> Any:
+    """--gust, --gust-start and --gust-length."""
+    length = "How long it lasts; a step stays, and a cosine takes 1 s, if omitted."
+    command = options.quantity("gust-length", "s", length)(command)
+    command = options.quantity("gust-start", "s", "When it begins; 0 if omitted.")(command)
+    text = "Let the disturbance be a gust, of this form and with --disturbance as its peak."
+    return click.option("--gust", type=click.Choice(["step", "one_minus_cosine"]), help=text)(
+        command
+    )
 
 
 @click.command(
@@ -43,6 +57,7 @@ def _initial(command: Any) -> Any:
 @click.option("--samples", type=int, default=501, show_default=True, help="How many to keep.")
 @options.speed
 @options.disturbance
+@_gust
 @click.option(
     "--method",
     type=click.Choice(["rk45", "rk4"]),
@@ -70,6 +85,9 @@ def command(
     samples: int,
     speed: float | None,
     disturbance: float,
+    gust: str | None,
+    gust_start: float | None,
+    gust_length: float | None,
     method: str,
     view: str,
     show: str,
@@ -81,8 +99,8 @@ def command(
 ) -> None:
     """Simulate the ground roll after a disturbance, hands off.
 
-    The table tells the largest and the last value of each quantity; csv and json hold them over
-    time.
+    The table tells the largest and the last value of each quantity, and the metrics of the
+    response of v, r, y and theta; csv and json hold them over time.
     """
     from groundloop.simulation import simulate
 
@@ -96,15 +114,29 @@ def command(
             t=t,
             samples=samples,
             speed=speed,
-            disturbance=disturbance,
+            disturbance=_over_time(disturbance, gust, gust_start, gust_length),
             method=method,
             **initial,
         )
-        metrics = run.metrics()
+        metrics = run.metrics(_MEASURED)
     emit(Output(_text(run, metrics), _rows(run), _data(run, metrics)), form, out)
     names = tuple(name.strip() for name in show.split(","))
     figure = partial(_runway, run) if view == "runway" else partial(_history, run, names)
     options.draw(figure, f"{run.aircraft.name}-simulate", form, plot, plotless)
+
+
+def _over_time(force: float, gust: str | None, start: float | None, length: float | None) -> Any:
+    """The disturbance as `simulate` takes it."""
+    from groundloop import gusts
+
+    if gust is None:
+        if start is not None or length is not None:
+            raise click.UsageError("--gust-start and --gust-length need --gust")
+        return force
+    begin = start or 0.0
+    if gust == "step":
+        return gusts.step(force, begin, None if length is None else begin + length)
+    return gusts.one_minus_cosine(force, begin, 1.0 if length is None else length)
 
 
 def _runway(run: Trajectory) -> Any:
@@ -125,27 +157,29 @@ def _text(run: Trajectory, metrics: Metrics) -> str:
         f" {number(run.t[-1])} s"
     )
     over_time = table(["quantity", "symbol", "largest", "at the end", "unit"], rows, right=(2, 3))
-    return f"{head}\n\n{over_time}\n\nResponse of y\n{_metrics_table(metrics)}"
-
-
-_METRICS = {
-    "displacement": "m",
-    "rotation": "rad",
-    "time_constant": "s",
-    "rise_time": "s",
-    "settling_time": "s",
-    "overshoot": "1",
-}
+    return f"{head}\n\n{over_time}\n\nResponse\n{_metrics_table(metrics)}"
 
 
 def _metrics_table(metrics: Metrics) -> str:
     rows = []
-    for name, unit in _METRICS.items():
-        value, unit_shown = shown(getattr(metrics, name), unit)
-        if name == "overshoot":
-            value, unit_shown = 100 * value, "%"
-        rows.append([name, number(value), unit_shown])
-    return table(["metric", "value", "unit"], rows, right=(1,))
+    for name, unit in _units(metrics):
+        cells = zip(getattr(metrics, name), _MEASURED, strict=True)
+        rows.append([name, *(_cell(value, unit or QUANTITIES[s].unit) for value, s in cells)])
+    return table(["metric", *_MEASURED], rows, right=range(1, len(_MEASURED) + 1))
+
+
+def _units(metrics: Metrics) -> list[tuple[str, str]]:
+    """The metrics of each state, with their units."""
+    return [(name, u) for name, u in metrics.units.items() if getattr(metrics, name).ndim]
+
+
+def _cell(value: Any, unit: str) -> str:
+    """A value with its unit; what has no unit in percent."""
+    if unit == "1":
+        value, text = 100 * value, "%"
+    else:
+        value, text = shown(value, unit)
+    return number(value) if not math.isfinite(value) else f"{number(value)} {text}"
 
 
 def _rows(run: Trajectory) -> list[list[Any]]:
@@ -160,7 +194,15 @@ def _data(run: Trajectory, metrics: Metrics) -> dict[str, Any]:
         "units": {"t": "s", **{s: QUANTITIES[s].unit for s in run.values}},
         "t": run.t,
         **run.values,
-        "metrics": {name: getattr(metrics, name) for name in _METRICS},
+        "gust": run.gust and run.gust.label,
+        "metrics": {
+            "displacement": metrics.displacement,
+            "rotation": metrics.rotation,
+            **{
+                s: {name: getattr(metrics, name)[k] for name, _ in _units(metrics)}
+                for k, s in enumerate(_MEASURED)
+            },
+        },
     }
 
 
