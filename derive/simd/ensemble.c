@@ -31,7 +31,7 @@ typedef struct {
 typedef struct {
     lanes p[NP], c[NC], w[NW], x[NS], xn[NS], k[2][NS], h;
     int64_t id;
-    int used, count;
+    int used, count, filled;               /* filled: numbers that all share are there */
 } __attribute__((aligned(64))) queue_t;
 
 /* ---- step control ------------------------------------------------------------------------ */
@@ -236,16 +236,20 @@ static int fill(queue_t *q, const job_t *job, int64_t *shared, double tau)
         const int64_t i = l < q->count ? id + l : job->n - 1;
         for (int j = 0; j < NS; ++j)
             q->x[j][l] = job->x0[j][i * job->x0_stride[j]];
-        for (int j = 0; j < NP; ++j)
-            q->p[j][l] = job->p[j][i * job->p_stride[j]];
     }
+    for (int j = 0; j < NP; ++j)
+        for (int l = 0; l < LANES && (job->p_stride[j] || !q->filled); ++l) {
+            const int64_t i = l < q->count ? id + l : job->n - 1;
+            q->p[j][l] = job->p[j][i * job->p_stride[j]];
+        }
+    q->filled = 1;
     constants(q->p, q->c);
     first_steps(q, job->t_end, tau);
     return 1;
 }
 
 /* Put lane l at the beginning of its trajectory. */
-static void restart(block_t *b, int l, double tau, double h)
+static void restart(block_t *b, int l, double tau, double h, int watched)
 {
     for (int j = 0; j < NS; ++j) {
         b->x[j][l] = b->begin[j][l];
@@ -253,10 +257,11 @@ static void restart(block_t *b, int l, double tau, double h)
         b->weight[j][l] = 1.0 / b->scale[j][l];
         b->past[j][l] = b->past2[j][l] = 0.0;
     }
-    for (int i = 0; i < ROWS; ++i)
+    for (int i = 0; watched && i < ROWS; ++i)
         b->largest[i][l] = 0.0, b->first[i][l] = INFINITY;
+    if (b->tau[l] != tau)
+        b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
     b->tau[l] = tau;
-    b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
     b->h[l] = h;
     b->t[l] = b->drift[l] = b->area[l] = b->passed[l] = b->spread[l] = b->doubt[l] = 0.0;
     b->state[l] = RUNNING;
@@ -286,7 +291,7 @@ static int load(block_t *b, int l, queue_t *q, const job_t *job, int64_t *shared
     b->least[l] = SHORTEST * job->t_end;
     b->steps[l] = 0.0;
     b->retries[l] = 0;
-    restart(b, l, tau, b->h0[l]);
+    restart(b, l, tau, b->h0[l], job->largest != NULL);
     return 1;
 }
 
@@ -324,7 +329,7 @@ static int retry(block_t *b, int l, const job_t *job)
     }
     const double finer = larger(0.3 * b->tau[l] * trusted / found, FINEST);
     ++b->retries[l];
-    restart(b, l, finer, b->h0[l] * pow(finer / b->tau[l], 0.125));
+    restart(b, l, finer, b->h0[l] * pow(finer / b->tau[l], 0.125), job->largest != NULL);
     return 1;
 }
 

@@ -13,14 +13,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .graph import Graph
+from .graph import CURVES, Graph
 
 _HERE = Path(__file__).parent
 #: Runge-Kutta tableau and polynomials; see `coefficients`.
 NUMBERS = json.loads((_HERE / "coefficients.json").read_text())
 
 INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
-CURVES = {"atan", "sin", "cos", "tan", "exp", "log", "pow", "tanh", "asin", "acos", "atan2"}
 COMPARE = {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
 LANE_FUNCTION = {
     "atan": "lane_atan",

@@ -24,6 +24,7 @@ from .lanes import (
     statements,
     template,
 )
+from .sums import read
 
 
 @dataclass(frozen=True)
@@ -92,8 +93,8 @@ def read_model(rhs: ca.Function, outputs: ca.Function, keep: Iterable[int]) -> K
     x = [graph.leaf(f"x{j}", varies=True) for j in range(n_states)]
     p = [graph.leaf(f"p{j}", varies=False) for j in range(n_inputs + n_parameters)]
     leaves = [x, p[:n_inputs], p[n_inputs:]]
-    rates = graph.read(rhs, leaves)
-    seen = graph.read(outputs, leaves)
+    rates = read(graph, rhs, leaves)
+    seen = read(graph, outputs, leaves)
     states = set(keep) | _states_read(graph, seen, x)
     while more := _states_read(graph, [rates[j] for j in states], x) - states:
         states |= more
@@ -105,9 +106,9 @@ def read_model(rhs: ca.Function, outputs: ca.Function, keep: Iterable[int]) -> K
         graph.leaf(f"d{j}", varies=True) if j in moving else graph.number(0.0)
         for j in range(n_states)
     ]
-    turned = graph.read(_directional(rhs), [*leaves, mode])
+    turned = read(graph, _directional(rhs), [*leaves, mode])
     turns = [turned[j] for j in moving]
-    (spread,) = graph.read(_divergence(rhs, moving), leaves)
+    (spread,) = read(graph, _divergence(rhs, moving), leaves)
     constants = graph.hoisted([*kept, *seen, *turns, spread])
     return KernelModel(graph, order, len(dynamic), kept, turns, spread, seen, constants, len(p))
 

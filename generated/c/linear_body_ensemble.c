@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 71bffe3d1675dfaf) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 1424602dde5828b4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* What every kernel of a model begins with; a driver follows. */
 #include <float.h>
 #include <math.h>
@@ -62,7 +62,7 @@ INLINE double lane_max(double a, double b) { return a > b ? a : (b >= a ? b : a 
 INLINE double lane_sign(double a) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : a); }
 
 
-enum { NS = 5, ND = 2, NP = 11, NC = 19, NW = 1, NY = 9, NY1 = 9 };
+enum { NS = 5, ND = 2, NP = 11, NC = 23, NW = 1, NY = 9, NY1 = 9 };
 enum { ROWS = NS + NY };                     /* states, then outputs */
 enum { TILE = 64, RETRIES = 4 };
 enum { RUNNING = -1, OK = 0, NON_FINITE = 1, STEP_LIMIT = 2, UNSURE = 3, LEFT_RANGE = 4 };
@@ -101,95 +101,108 @@ static void constants(const lanes *p, lanes *c)
         const double w0 = 1.0 / p[5][l];
         const double w1 = p[9][l] * w0;
         const double w2 = 2.0 * w1;
-        const double w3 = 0.5 * p[7][l];
-        const double w4 = w3 * p[8][l];
-        const double w5 = w4 * w0;
-        const double w6 = w5 * p[6][l];
-        const double w7 = p[5][l] * p[5][l];
-        const double w8 = w6 * w7;
-        const double w9 = p[10][l] * w0;
-        const double w10 = 1.0 / p[1][l];
-        const double w11 = w8 * p[4][l];
-        const double w12 = p[0][l] * p[4][l];
-        const double w13 = w2 * p[3][l];
-        const double w14 = w9 * p[4][l];
-        const double w15 = 1.0 / p[2][l];
-        const double w16 = p[6][l] * w5;
-        const double w17 = w7 * w16;
-        const double w18 = p[4][l] * w17;
-        const double w19 = p[3][l] * w2;
-        const double w20 = p[4][l] * w9;
-        const double w21 = p[9][l] / p[5][l];
-        const double w22 = 2.0 * w21;
-        const double w23 = w4 / p[5][l];
-        const double w24 = p[6][l] * w23;
-        const double w25 = w7 * w24;
-        const double w26 = w22 + w25;
-        const double w27 = p[10][l] / p[5][l];
-        const double w28 = w26 + w27;
-        const double w29 = w28 / p[1][l];
-        const double w30 = p[4][l] / p[5][l];
-        const double w31 = w4 * w30;
-        const double w32 = p[6][l] * w31;
-        const double w33 = w7 * w32;
-        const double w34 = p[4][l] * w33;
-        const double w35 = p[3][l] / p[5][l];
-        const double w36 = p[9][l] * w35;
+        const double w3 = -w2;
+        const double w4 = 0.5 * p[7][l];
+        const double w5 = w4 * p[8][l];
+        const double w6 = -p[4][l];
+        const double w7 = w5 * w0;
+        const double w8 = p[6][l] * w7;
+        const double w9 = p[5][l] * p[5][l];
+        const double w10 = w9 * w8;
+        const double w11 = -w10;
+        const double w12 = p[10][l] * w0;
+        const double w13 = -w12;
+        const double w14 = w11 + w13;
+        const double w15 = 1.0 / p[1][l];
+        const double w16 = -p[5][l];
+        const double w17 = w15 * w3;
+        const double w18 = w15 * w14;
+        const double w19 = w15 * p[0][l];
+        const double w20 = p[4][l] * w10;
+        const double w21 = p[0][l] * p[4][l];
+        const double w22 = p[3][l] * w2;
+        const double w23 = -w22;
+        const double w24 = -w21;
+        const double w25 = p[4][l] * w12;
+        const double w26 = w20 + w25;
+        const double w27 = 1.0 / p[2][l];
+        const double w28 = w27 * w26;
+        const double w29 = w27 * w23;
+        const double w30 = w27 * w24;
+        const double w31 = w10 + w12;
+        const double w32 = w15 * w2;
+        const double w33 = w15 * w31;
+        const double w34 = -w32;
+        const double w35 = -w33;
+        const double w36 = p[9][l] / p[5][l];
         const double w37 = 2.0 * w36;
-        const double w38 = p[3][l] * w37;
-        const double w39 = w34 + w38;
-        const double w40 = p[10][l] * w30;
-        const double w41 = p[4][l] * w40;
-        const double w42 = w39 + w41;
-        const double w43 = w42 / p[2][l];
-        const double w44 = w29 + w43;
-        const double w45 = -w44;
+        const double w38 = w5 / p[5][l];
+        const double w39 = p[6][l] * w38;
+        const double w40 = w9 * w39;
+        const double w41 = w37 + w40;
+        const double w42 = p[10][l] / p[5][l];
+        const double w43 = w41 + w42;
+        const double w44 = w43 / p[1][l];
+        const double w45 = p[4][l] / p[5][l];
+        const double w46 = w5 * w45;
+        const double w47 = p[6][l] * w46;
+        const double w48 = w9 * w47;
+        const double w49 = p[4][l] * w48;
+        const double w50 = p[3][l] / p[5][l];
+        const double w51 = p[9][l] * w50;
+        const double w52 = 2.0 * w51;
+        const double w53 = p[3][l] * w52;
+        const double w54 = w49 + w53;
+        const double w55 = p[10][l] * w45;
+        const double w56 = p[4][l] * w55;
+        const double w57 = w54 + w56;
+        const double w58 = w57 / p[2][l];
+        const double w59 = w44 + w58;
+        const double w60 = -w59;
         c[0][l] = p[0][l];
         c[1][l] = p[3][l];
-        c[2][l] = p[4][l];
-        c[3][l] = p[5][l];
-        c[4][l] = w0;
-        c[5][l] = w2;
-        c[6][l] = w8;
-        c[7][l] = w9;
-        c[8][l] = w10;
-        c[9][l] = w11;
-        c[10][l] = w12;
-        c[11][l] = w13;
-        c[12][l] = w14;
-        c[13][l] = w15;
-        c[14][l] = w17;
-        c[15][l] = w18;
-        c[16][l] = w19;
-        c[17][l] = w20;
-        c[18][l] = w45;
+        c[2][l] = w0;
+        c[3][l] = w2;
+        c[4][l] = w3;
+        c[5][l] = w6;
+        c[6][l] = w10;
+        c[7][l] = w12;
+        c[8][l] = w14;
+        c[9][l] = w15;
+        c[10][l] = w16;
+        c[11][l] = w17;
+        c[12][l] = w18;
+        c[13][l] = w19;
+        c[14][l] = w23;
+        c[15][l] = w24;
+        c[16][l] = w26;
+        c[17][l] = w28;
+        c[18][l] = w29;
+        c[19][l] = w30;
+        c[20][l] = w34;
+        c[21][l] = w35;
+        c[22][l] = w60;
     }
 }
 
 INLINE void rate0(const lanes *c, lanes *w, lanes *f, lanes *g, int l, double x0, double x1)
 {
     const double w0 = c[1][l] * x1;
-    const double w1 = w0 + x0;
-    const double w2 = c[5][l] * w1;
-    const double w3 = c[0][l] - w2;
-    const double w4 = c[2][l] * x1;
-    const double w5 = x0 - w4;
-    const double w6 = c[6][l] * w5;
-    const double w7 = w3 - w6;
-    const double w8 = c[7][l] * w5;
-    const double w9 = w7 - w8;
-    const double w10 = c[8][l] * w9;
-    const double w11 = c[3][l] * x1;
-    const double w12 = w10 - w11;
-    const double w13 = c[11][l] * w1;
-    const double w14 = c[10][l] + w13;
-    const double w15 = c[9][l] * w5;
-    const double w16 = w15 - w14;
-    const double w17 = c[12][l] * w5;
-    const double w18 = w16 + w17;
-    const double w19 = c[13][l] * w18;
-    f[0][l] = w12;
-    f[1][l] = w19;
+    const double w1 = x0 + w0;
+    const double w2 = c[5][l] * x1;
+    const double w3 = x0 + w2;
+    const double w4 = c[10][l] * x1;
+    const double w5 = w4 + c[13][l];
+    const double w6 = c[11][l] * w1;
+    const double w7 = w5 + w6;
+    const double w8 = c[12][l] * w3;
+    const double w9 = w7 + w8;
+    const double w10 = c[18][l] * w1;
+    const double w11 = w10 + c[19][l];
+    const double w12 = c[17][l] * w3;
+    const double w13 = w11 + w12;
+    f[0][l] = w9;
+    f[1][l] = w13;
     f[2][l] = x0;
     f[3][l] = x1;
     f[4][l] = x1;
@@ -198,52 +211,39 @@ INLINE void rate0(const lanes *c, lanes *w, lanes *f, lanes *g, int l, double x0
 INLINE void turn0(const lanes *c, lanes *w, lanes *f, lanes *g, int l, double x0, double x1, double d0, double d1)
 {
     const double w0 = c[1][l] * x1;
-    const double w1 = w0 + x0;
-    const double w2 = c[5][l] * w1;
-    const double w3 = c[0][l] - w2;
-    const double w4 = c[2][l] * x1;
-    const double w5 = x0 - w4;
-    const double w6 = c[6][l] * w5;
-    const double w7 = w3 - w6;
-    const double w8 = c[7][l] * w5;
-    const double w9 = w7 - w8;
-    const double w10 = c[8][l] * w9;
-    const double w11 = c[3][l] * x1;
-    const double w12 = w10 - w11;
-    const double w13 = c[11][l] * w1;
-    const double w14 = c[10][l] + w13;
-    const double w15 = c[9][l] * w5;
-    const double w16 = w15 - w14;
-    const double w17 = c[12][l] * w5;
-    const double w18 = w16 + w17;
-    const double w19 = c[13][l] * w18;
-    const double w20 = c[1][l] * d1;
-    const double w21 = w20 + d0;
-    const double w22 = c[2][l] * d1;
-    const double w23 = d0 - w22;
-    const double w24 = c[5][l] * w21;
-    const double w25 = c[14][l] * w23;
-    const double w26 = w24 + w25;
-    const double w27 = c[7][l] * w23;
-    const double w28 = w26 + w27;
-    const double w29 = c[8][l] * w28;
-    const double w30 = c[3][l] * d1;
-    const double w31 = w29 + w30;
-    const double w32 = -w31;
-    const double w33 = c[15][l] * w23;
-    const double w34 = c[16][l] * w21;
-    const double w35 = w33 - w34;
-    const double w36 = c[17][l] * w23;
-    const double w37 = w35 + w36;
-    const double w38 = c[13][l] * w37;
-    f[0][l] = w12;
-    f[1][l] = w19;
+    const double w1 = x0 + w0;
+    const double w2 = c[5][l] * x1;
+    const double w3 = x0 + w2;
+    const double w4 = c[10][l] * x1;
+    const double w5 = w4 + c[13][l];
+    const double w6 = c[11][l] * w1;
+    const double w7 = w5 + w6;
+    const double w8 = c[12][l] * w3;
+    const double w9 = w7 + w8;
+    const double w10 = c[18][l] * w1;
+    const double w11 = w10 + c[19][l];
+    const double w12 = c[17][l] * w3;
+    const double w13 = w11 + w12;
+    const double w14 = c[1][l] * d1;
+    const double w15 = d0 + w14;
+    const double w16 = c[5][l] * d1;
+    const double w17 = d0 + w16;
+    const double w18 = c[10][l] * d1;
+    const double w19 = c[20][l] * w15;
+    const double w20 = w18 + w19;
+    const double w21 = c[21][l] * w17;
+    const double w22 = w20 + w21;
+    const double w23 = c[18][l] * w15;
+    const double w24 = c[17][l] * w17;
+    const double w25 = w23 + w24;
+    f[0][l] = w9;
+    f[1][l] = w13;
     f[2][l] = x0;
     f[3][l] = x1;
     f[4][l] = x1;
-    g[0][l] = w32;
-    g[1][l] = w38;
-    g[2][l] = c[18][l];
+    g[0][l] = w22;
+    g[1][l] = w25;
+    g[2][l] = c[22][l];
 }
 
 static void rates(const lanes *c, lanes *w, const lanes *x, lanes *f)
@@ -256,34 +256,33 @@ static void rates(const lanes *c, lanes *w, const lanes *x, lanes *f)
 INLINE void output(const lanes *c, int l, double x0, double x1, double x2, double x3, double x6, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5, double *y6, double *y7, double *y8)
 {
     const double w0 = c[1][l] * x1;
-    const double w1 = w0 + x0;
-    const double w2 = c[5][l] * w1;
-    const double w3 = c[0][l] - w2;
-    const double w4 = c[2][l] * x1;
-    const double w5 = x0 - w4;
-    const double w6 = c[6][l] * w5;
-    const double w7 = w3 - w6;
-    const double w8 = c[7][l] * w5;
-    const double w9 = w7 - w8;
-    const double w10 = c[8][l] * w9;
-    const double w11 = c[11][l] * w1;
-    const double w12 = c[10][l] + w11;
-    const double w13 = c[9][l] * w5;
-    const double w14 = w13 - w12;
-    const double w15 = c[12][l] * w5;
-    const double w16 = w14 + w15;
-    const double w17 = c[4][l] * w1;
-    const double w18 = c[4][l] * w5;
-    const double w19 = c[4][l] * x0;
-    *y0 = w17;
-    *y1 = w18;
-    *y2 = w19;
-    *y3 = w2;
-    *y4 = w6;
-    *y5 = w8;
-    *y6 = w10;
-    *y7 = w9;
-    *y8 = w16;
+    const double w1 = x0 + w0;
+    const double w2 = c[5][l] * x1;
+    const double w3 = x0 + w2;
+    const double w4 = c[2][l] * w1;
+    const double w5 = c[2][l] * w3;
+    const double w6 = c[2][l] * x0;
+    const double w7 = c[3][l] * w1;
+    const double w8 = c[6][l] * w3;
+    const double w9 = c[7][l] * w3;
+    const double w10 = c[4][l] * w1;
+    const double w11 = w10 + c[0][l];
+    const double w12 = c[8][l] * w3;
+    const double w13 = w11 + w12;
+    const double w14 = c[9][l] * w13;
+    const double w15 = c[14][l] * w1;
+    const double w16 = w15 + c[15][l];
+    const double w17 = c[16][l] * w3;
+    const double w18 = w16 + w17;
+    *y0 = w4;
+    *y1 = w5;
+    *y2 = w6;
+    *y3 = w7;
+    *y4 = w8;
+    *y5 = w9;
+    *y6 = w14;
+    *y7 = w13;
+    *y8 = w18;
 }
 
 static void observe_lanes(const lanes *c, const lanes *x, lanes *y)
@@ -334,7 +333,7 @@ typedef struct {
 typedef struct {
     lanes p[NP], c[NC], w[NW], x[NS], xn[NS], k[2][NS], h;
     int64_t id;
-    int used, count;
+    int used, count, filled;               /* filled: numbers that all share are there */
 } __attribute__((aligned(64))) queue_t;
 
 /* ---- step control ------------------------------------------------------------------------ */
@@ -968,16 +967,20 @@ static int fill(queue_t *q, const job_t *job, int64_t *shared, double tau)
         const int64_t i = l < q->count ? id + l : job->n - 1;
         for (int j = 0; j < NS; ++j)
             q->x[j][l] = job->x0[j][i * job->x0_stride[j]];
-        for (int j = 0; j < NP; ++j)
-            q->p[j][l] = job->p[j][i * job->p_stride[j]];
     }
+    for (int j = 0; j < NP; ++j)
+        for (int l = 0; l < LANES && (job->p_stride[j] || !q->filled); ++l) {
+            const int64_t i = l < q->count ? id + l : job->n - 1;
+            q->p[j][l] = job->p[j][i * job->p_stride[j]];
+        }
+    q->filled = 1;
     constants(q->p, q->c);
     first_steps(q, job->t_end, tau);
     return 1;
 }
 
 /* Put lane l at the beginning of its trajectory. */
-static void restart(block_t *b, int l, double tau, double h)
+static void restart(block_t *b, int l, double tau, double h, int watched)
 {
     for (int j = 0; j < NS; ++j) {
         b->x[j][l] = b->begin[j][l];
@@ -985,10 +988,11 @@ static void restart(block_t *b, int l, double tau, double h)
         b->weight[j][l] = 1.0 / b->scale[j][l];
         b->past[j][l] = b->past2[j][l] = 0.0;
     }
-    for (int i = 0; i < ROWS; ++i)
+    for (int i = 0; watched && i < ROWS; ++i)
         b->largest[i][l] = 0.0, b->first[i][l] = INFINITY;
+    if (b->tau[l] != tau)
+        b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
     b->tau[l] = tau;
-    b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
     b->h[l] = h;
     b->t[l] = b->drift[l] = b->area[l] = b->passed[l] = b->spread[l] = b->doubt[l] = 0.0;
     b->state[l] = RUNNING;
@@ -1018,7 +1022,7 @@ static int load(block_t *b, int l, queue_t *q, const job_t *job, int64_t *shared
     b->least[l] = SHORTEST * job->t_end;
     b->steps[l] = 0.0;
     b->retries[l] = 0;
-    restart(b, l, tau, b->h0[l]);
+    restart(b, l, tau, b->h0[l], job->largest != NULL);
     return 1;
 }
 
@@ -1056,7 +1060,7 @@ static int retry(block_t *b, int l, const job_t *job)
     }
     const double finer = larger(0.3 * b->tau[l] * trusted / found, FINEST);
     ++b->retries[l];
-    restart(b, l, finer, b->h0[l] * pow(finer / b->tau[l], 0.125));
+    restart(b, l, finer, b->h0[l] * pow(finer / b->tau[l], 0.125), job->largest != NULL);
     return 1;
 }
 

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 71bffe3d1675dfaf) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 1424602dde5828b4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* What every kernel of a model begins with; a driver follows. */
 #include <float.h>
 #include <math.h>
@@ -62,7 +62,7 @@ INLINE double lane_max(double a, double b) { return a > b ? a : (b >= a ? b : a 
 INLINE double lane_sign(double a) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : a); }
 
 
-enum { NS = 7, ND = 3, NP = 19, NC = 38, NW = 19, NY = 9, NY1 = 9 };
+enum { NS = 7, ND = 3, NP = 19, NC = 42, NW = 10, NY = 9, NY1 = 9 };
 enum { ROWS = NS + NY };                     /* states, then outputs */
 enum { TILE = 64, RETRIES = 4 };
 enum { RUNNING = -1, OK = 0, NON_FINITE = 1, STEP_LIMIT = 2, UNSURE = 3, LEFT_RANGE = 4 };
@@ -104,313 +104,310 @@ static void constants(const lanes *p, lanes *c)
         const double w3 = p[13][l] + w2;
         const double w4 = w3 * p[5][l];
         const double w5 = 1.0 / w4;
-        const double w6 = w1 * w5;
-        const double w7 = 1.0 - p[18][l];
-        const double w8 = w6 * w7;
-        const double w9 = p[15][l] * w6;
-        const double w10 = 1.0 / p[15][l];
-        const double w11 = p[18][l] * w10;
-        const double w12 = p[17][l] * p[10][l];
-        const double w13 = w12 * w3;
-        const double w14 = 2.0 * w13;
-        const double w15 = 0.5 * p[7][l];
-        const double w16 = w15 * p[8][l];
-        const double w17 = 1.0 / p[5][l];
-        const double w18 = w16 * p[6][l];
-        const double w19 = p[5][l] * p[5][l];
-        const double w20 = w18 * w19;
-        const double w21 = 1.0 / p[1][l];
-        const double w22 = w20 * p[4][l];
-        const double w23 = p[0][l] * p[4][l];
-        const double w24 = w14 * p[3][l];
-        const double w25 = p[9][l] * p[4][l];
-        const double w26 = 1.0 / p[2][l];
-        const double w27 = w1 * w17;
-        const double w28 = 1.0 / w3;
-        const double w29 = w27 * w28;
-        const double w30 = w29 * w7;
-        const double w31 = p[15][l] * w29;
-        const double w32 = w7 * w6;
-        const double w33 = w9 * w9;
-        const double w34 = p[18][l] * w9;
-        const double w35 = w34 * w10;
-        const double w36 = p[15][l] * p[15][l];
-        const double w37 = p[16][l] * p[15][l];
-        const double w38 = p[17][l] * w37;
-        const double w39 = p[10][l] * w38;
-        const double w40 = w3 * w39;
-        const double w41 = 2.0 * w40;
-        const double w42 = w17 * w17;
-        const double w43 = w16 * w17;
-        const double w44 = p[6][l] * w43;
-        const double w45 = w19 * w44;
-        const double w46 = p[9][l] * w17;
-        const double w47 = p[4][l] * w45;
-        const double w48 = p[3][l] * w41;
-        const double w49 = p[4][l] * w46;
-        const double w50 = w1 / w4;
-        const double w51 = w7 * w50;
-        const double w52 = p[15][l] * w50;
-        const double w53 = p[18][l] * w52;
-        const double w54 = w53 * w10;
-        const double w55 = p[4][l] / p[5][l];
-        const double w56 = w16 * w55;
-        const double w57 = p[6][l] * w56;
-        const double w58 = w19 * w57;
-        const double w59 = p[4][l] * w58;
-        const double w60 = w1 * p[3][l];
-        const double w61 = w60 / w4;
-        const double w62 = w7 * w61;
-        const double w63 = p[15][l] * w61;
-        const double w64 = p[18][l] * w63;
-        const double w65 = w64 * w10;
-        const double w66 = p[9][l] * w55;
-        const double w67 = p[4][l] * w66;
+        const double w6 = w5 * w1;
+        const double w7 = -p[18][l];
+        const double w8 = 1.0 + w7;
+        const double w9 = w8 * w6;
+        const double w10 = p[15][l] * w6;
+        const double w11 = 1.0 / p[15][l];
+        const double w12 = w11 * p[18][l];
+        const double w13 = p[10][l] * p[17][l];
+        const double w14 = w3 * w13;
+        const double w15 = 2.0 * w14;
+        const double w16 = -w15;
+        const double w17 = 0.5 * p[7][l];
+        const double w18 = w17 * p[8][l];
+        const double w19 = -p[4][l];
+        const double w20 = 1.0 / p[5][l];
+        const double w21 = p[6][l] * w18;
+        const double w22 = p[5][l] * p[5][l];
+        const double w23 = w22 * w21;
+        const double w24 = -w23;
+        const double w25 = -p[9][l];
+        const double w26 = w24 + w25;
+        const double w27 = 1.0 / p[1][l];
+        const double w28 = -p[5][l];
+        const double w29 = w27 * w16;
+        const double w30 = w27 * w26;
+        const double w31 = w27 * p[0][l];
+        const double w32 = p[4][l] * w23;
+        const double w33 = p[0][l] * p[4][l];
+        const double w34 = p[3][l] * w15;
+        const double w35 = -w34;
+        const double w36 = -w33;
+        const double w37 = p[4][l] * p[9][l];
+        const double w38 = w32 + w37;
+        const double w39 = 1.0 / p[2][l];
+        const double w40 = w39 * w38;
+        const double w41 = w39 * w35;
+        const double w42 = w39 * w36;
+        const double w43 = w1 * w20;
+        const double w44 = 1.0 / w3;
+        const double w45 = w44 * w43;
+        const double w46 = w8 * w45;
+        const double w47 = p[15][l] * w45;
+        const double w48 = w10 * w10;
+        const double w49 = p[18][l] * w10;
+        const double w50 = w11 * w49;
+        const double w51 = p[15][l] * p[15][l];
+        const double w52 = p[16][l] * p[15][l];
+        const double w53 = p[17][l] * w52;
+        const double w54 = p[10][l] * w53;
+        const double w55 = w3 * w54;
+        const double w56 = 2.0 * w55;
+        const double w57 = w20 * w20;
+        const double w58 = w18 * w20;
+        const double w59 = p[6][l] * w58;
+        const double w60 = w22 * w59;
+        const double w61 = p[9][l] * w20;
+        const double w62 = w60 + w61;
+        const double w63 = w27 * w56;
+        const double w64 = w27 * w62;
+        const double w65 = -w63;
+        const double w66 = -w64;
+        const double w67 = p[4][l] * w60;
+        const double w68 = p[3][l] * w56;
+        const double w69 = -w68;
+        const double w70 = p[4][l] * w61;
+        const double w71 = w67 + w70;
+        const double w72 = w39 * w71;
+        const double w73 = w39 * w69;
+        const double w74 = w1 / w4;
+        const double w75 = w8 * w74;
+        const double w76 = p[15][l] * w74;
+        const double w77 = p[18][l] * w76;
+        const double w78 = w11 * w77;
+        const double w79 = p[4][l] / p[5][l];
+        const double w80 = w18 * w79;
+        const double w81 = p[6][l] * w80;
+        const double w82 = w22 * w81;
+        const double w83 = p[4][l] * w82;
+        const double w84 = w1 * p[3][l];
+        const double w85 = w84 / w4;
+        const double w86 = w8 * w85;
+        const double w87 = p[15][l] * w85;
+        const double w88 = p[18][l] * w87;
+        const double w89 = w11 * w88;
+        const double w90 = p[9][l] * w79;
+        const double w91 = p[4][l] * w90;
+        const double w92 = w83 + w91;
+        const double w93 = w39 * w92;
+        const double w94 = w64 + w93;
+        const double w95 = w39 * w68;
+        const double w96 = -w94;
+        const double w97 = -w95;
         c[0][l] = p[0][l];
         c[1][l] = p[3][l];
-        c[2][l] = p[4][l];
-        c[3][l] = p[5][l];
-        c[4][l] = p[9][l];
-        c[5][l] = p[15][l];
-        c[6][l] = p[16][l];
-        c[7][l] = w8;
-        c[8][l] = w9;
-        c[9][l] = w11;
-        c[10][l] = w14;
-        c[11][l] = w17;
+        c[2][l] = p[5][l];
+        c[3][l] = p[9][l];
+        c[4][l] = p[15][l];
+        c[5][l] = p[16][l];
+        c[6][l] = w9;
+        c[7][l] = w10;
+        c[8][l] = w12;
+        c[9][l] = w15;
+        c[10][l] = w16;
+        c[11][l] = w19;
         c[12][l] = w20;
-        c[13][l] = w21;
-        c[14][l] = w22;
-        c[15][l] = w23;
-        c[16][l] = w24;
-        c[17][l] = w25;
-        c[18][l] = w26;
-        c[19][l] = w30;
-        c[20][l] = w31;
-        c[21][l] = w32;
-        c[22][l] = w33;
-        c[23][l] = w35;
-        c[24][l] = w36;
-        c[25][l] = w41;
-        c[26][l] = w42;
-        c[27][l] = w45;
-        c[28][l] = w46;
-        c[29][l] = w47;
-        c[30][l] = w48;
-        c[31][l] = w49;
-        c[32][l] = w51;
-        c[33][l] = w54;
-        c[34][l] = w59;
-        c[35][l] = w62;
-        c[36][l] = w65;
-        c[37][l] = w67;
+        c[13][l] = w23;
+        c[14][l] = w26;
+        c[15][l] = w27;
+        c[16][l] = w28;
+        c[17][l] = w29;
+        c[18][l] = w30;
+        c[19][l] = w31;
+        c[20][l] = w35;
+        c[21][l] = w36;
+        c[22][l] = w38;
+        c[23][l] = w40;
+        c[24][l] = w41;
+        c[25][l] = w42;
+        c[26][l] = w46;
+        c[27][l] = w47;
+        c[28][l] = w48;
+        c[29][l] = w50;
+        c[30][l] = w51;
+        c[31][l] = w57;
+        c[32][l] = w65;
+        c[33][l] = w66;
+        c[34][l] = w72;
+        c[35][l] = w73;
+        c[36][l] = w75;
+        c[37][l] = w78;
+        c[38][l] = w86;
+        c[39][l] = w89;
+        c[40][l] = w96;
+        c[41][l] = w97;
     }
 }
 
 INLINE void rate0(const lanes *c, lanes *w, lanes *f, lanes *g, int l, double x0, double x1, double x6)
 {
     const double w0 = c[1][l] * x1;
-    const double w1 = w0 + x0;
-    const double w2 = c[8][l] * w1;
+    const double w1 = x0 + w0;
+    const double w2 = c[7][l] * w1;
     const double w3 = lane_atan(w2);
-    const double w4 = c[7][l] * w1;
-    const double w5 = c[9][l] * w3;
+    const double w4 = c[6][l] * w1;
+    const double w5 = c[8][l] * w3;
     const double w6 = w4 + w5;
-    const double w7 = c[5][l] * w6;
-    const double w8 = c[2][l] * x1;
-    const double w9 = x0 - w8;
-    const double w10 = c[11][l] * w9;
+    const double w7 = c[4][l] * w6;
+    const double w8 = c[11][l] * x1;
+    const double w9 = x0 + w8;
+    const double w10 = c[12][l] * w9;
     const double w11 = lane_atan(w10);
-    const double w12 = c[12][l] * w11;
-    const double w13 = c[4][l] * w11;
-    const double w14 = c[3][l] * x1;
-    const double w15 = c[14][l] * w11;
-    const double w16 = c[17][l] * w11;
-    const double w17 = lane_cos(x6);
-    const double w18 = lane_sin(x6);
-    const double w19 = x0 * w18;
-    const double w20 = c[3][l] * w17;
-    const double w21 = w20 - w19;
-    const double w22 = x0 * w17;
-    const double w23 = c[3][l] * w18;
-    const double w24 = w23 + w22;
+    const double w12 = c[16][l] * x1;
+    const double w13 = w12 + c[19][l];
+    const double w14 = c[18][l] * w11;
+    const double w15 = w13 + w14;
+    const double w16 = c[23][l] * w11;
+    const double w17 = w16 + c[25][l];
+    const double w18 = lane_cos(x6);
+    const double w19 = lane_sin(x6);
+    const double w20 = x0 * w19;
+    const double w21 = c[2][l] * w18;
+    const double w22 = -w20;
+    const double w23 = w21 + w22;
+    const double w24 = x0 * w18;
+    const double w25 = c[2][l] * w19;
+    const double w26 = w25 + w24;
     w[0][l] = w7;
-    w[2][l] = w12;
-    w[3][l] = w13;
-    w[4][l] = w14;
-    w[5][l] = w15;
-    w[6][l] = w16;
+    w[2][l] = w15;
+    w[3][l] = w17;
     f[2][l] = x1;
     f[3][l] = x0;
     f[4][l] = x1;
-    f[5][l] = w21;
-    f[6][l] = w24;
+    f[5][l] = w23;
+    f[6][l] = w26;
 }
 
 INLINE void rate1(const lanes *c, lanes *w, lanes *f, lanes *g, int l)
 {
     const double w0 = lane_atan(w[0][l]);
-    const double w1 = c[6][l] * w0;
+    const double w1 = c[5][l] * w0;
     w[1][l] = w1;
 }
 
 INLINE void rate2(const lanes *c, lanes *w, lanes *f, lanes *g, int l)
 {
     const double w0 = lane_sin(w[1][l]);
-    const double w1 = c[10][l] * w0;
-    const double w2 = c[0][l] - w1;
-    const double w3 = w2 - w[2][l];
-    const double w4 = w3 - w[3][l];
-    const double w5 = c[13][l] * w4;
-    const double w6 = w5 - w[4][l];
-    const double w7 = c[16][l] * w0;
-    const double w8 = c[15][l] + w7;
-    const double w9 = w[5][l] - w8;
-    const double w10 = w9 + w[6][l];
-    const double w11 = c[18][l] * w10;
-    f[0][l] = w6;
-    f[1][l] = w11;
+    const double w1 = c[17][l] * w0;
+    const double w2 = w[2][l] + w1;
+    const double w3 = c[24][l] * w0;
+    const double w4 = w[3][l] + w3;
+    f[0][l] = w2;
+    f[1][l] = w4;
 }
 
 INLINE void turn0(const lanes *c, lanes *w, lanes *f, lanes *g, int l, double x0, double x1, double x6, double d0, double d1, double d6)
 {
     const double w0 = c[1][l] * x1;
-    const double w1 = w0 + x0;
-    const double w2 = c[8][l] * w1;
+    const double w1 = x0 + w0;
+    const double w2 = c[7][l] * w1;
     const double w3 = lane_atan(w2);
-    const double w4 = c[7][l] * w1;
-    const double w5 = c[9][l] * w3;
+    const double w4 = c[6][l] * w1;
+    const double w5 = c[8][l] * w3;
     const double w6 = w4 + w5;
-    const double w7 = c[5][l] * w6;
-    const double w8 = c[2][l] * x1;
-    const double w9 = x0 - w8;
-    const double w10 = c[11][l] * w9;
+    const double w7 = c[4][l] * w6;
+    const double w8 = c[11][l] * x1;
+    const double w9 = x0 + w8;
+    const double w10 = c[12][l] * w9;
     const double w11 = lane_atan(w10);
-    const double w12 = c[12][l] * w11;
-    const double w13 = c[4][l] * w11;
-    const double w14 = c[3][l] * x1;
-    const double w15 = c[14][l] * w11;
-    const double w16 = c[17][l] * w11;
-    const double w17 = lane_cos(x6);
-    const double w18 = lane_sin(x6);
-    const double w19 = x0 * w18;
-    const double w20 = c[3][l] * w17;
-    const double w21 = w20 - w19;
-    const double w22 = x0 * w17;
-    const double w23 = c[3][l] * w18;
-    const double w24 = w23 + w22;
-    const double w25 = c[1][l] * d1;
-    const double w26 = w25 + d0;
-    const double w27 = w1 * w1;
-    const double w28 = c[22][l] * w27;
-    const double w29 = 1.0 + w28;
-    const double w30 = w26 / w29;
-    const double w31 = c[21][l] * w26;
-    const double w32 = c[23][l] * w30;
-    const double w33 = w31 + w32;
+    const double w12 = c[16][l] * x1;
+    const double w13 = w12 + c[19][l];
+    const double w14 = c[18][l] * w11;
+    const double w15 = w13 + w14;
+    const double w16 = c[23][l] * w11;
+    const double w17 = w16 + c[25][l];
+    const double w18 = lane_cos(x6);
+    const double w19 = lane_sin(x6);
+    const double w20 = x0 * w19;
+    const double w21 = c[2][l] * w18;
+    const double w22 = -w20;
+    const double w23 = w21 + w22;
+    const double w24 = x0 * w18;
+    const double w25 = c[2][l] * w19;
+    const double w26 = w25 + w24;
+    const double w27 = c[1][l] * d1;
+    const double w28 = d0 + w27;
+    const double w29 = w1 * w1;
+    const double w30 = c[28][l] * w29;
+    const double w31 = w30 + 1.0;
+    const double w32 = 1.0 / w31;
+    const double w33 = w28 * w32;
     const double w34 = w6 * w6;
-    const double w35 = c[24][l] * w34;
-    const double w36 = 1.0 + w35;
-    const double w37 = w33 / w36;
-    const double w38 = c[2][l] * d1;
-    const double w39 = d0 - w38;
-    const double w40 = w9 * w9;
-    const double w41 = c[26][l] * w40;
-    const double w42 = 1.0 + w41;
-    const double w43 = w39 / w42;
-    const double w44 = c[27][l] * w43;
-    const double w45 = c[28][l] * w43;
-    const double w46 = c[3][l] * d1;
-    const double w47 = c[29][l] * w43;
-    const double w48 = c[31][l] * w43;
-    const double w49 = 1.0 / w29;
-    const double w50 = c[33][l] * w49;
-    const double w51 = c[32][l] + w50;
-    const double w52 = w51 / w36;
-    const double w53 = 1.0 / w42;
-    const double w54 = c[27][l] * w53;
-    const double w55 = c[28][l] * w53;
-    const double w56 = c[36][l] * w49;
-    const double w57 = c[35][l] + w56;
-    const double w58 = w57 / w36;
-    const double w59 = c[34][l] * w53;
-    const double w60 = c[37][l] * w53;
+    const double w35 = c[30][l] * w34;
+    const double w36 = w35 + 1.0;
+    const double w37 = 1.0 / w36;
+    const double w38 = c[6][l] * w28;
+    const double w39 = c[29][l] * w33;
+    const double w40 = w38 + w39;
+    const double w41 = w40 * w37;
+    const double w42 = w9 * w9;
+    const double w43 = c[31][l] * w42;
+    const double w44 = w43 + 1.0;
+    const double w45 = 1.0 / w44;
+    const double w46 = c[11][l] * d1;
+    const double w47 = d0 + w46;
+    const double w48 = w47 * w45;
+    const double w49 = c[16][l] * d1;
+    const double w50 = c[33][l] * w48;
+    const double w51 = w49 + w50;
+    const double w52 = c[34][l] * w48;
+    const double w53 = c[37][l] * w32;
+    const double w54 = w53 + c[36][l];
+    const double w55 = w54 * w37;
+    const double w56 = c[39][l] * w32;
+    const double w57 = w56 + c[38][l];
+    const double w58 = w57 * w37;
+    const double w59 = c[40][l] * w45;
     w[0][l] = w7;
-    w[2][l] = w12;
-    w[3][l] = w13;
-    w[4][l] = w14;
-    w[5][l] = w15;
-    w[6][l] = w16;
-    w[7][l] = w37;
-    w[8][l] = w44;
-    w[9][l] = w45;
-    w[10][l] = w46;
-    w[11][l] = w47;
-    w[12][l] = w48;
-    w[13][l] = w52;
-    w[14][l] = w54;
-    w[15][l] = w55;
-    w[16][l] = w58;
-    w[17][l] = w59;
-    w[18][l] = w60;
+    w[2][l] = w15;
+    w[3][l] = w17;
+    w[4][l] = w41;
+    w[5][l] = w51;
+    w[6][l] = w52;
+    w[7][l] = w55;
+    w[8][l] = w58;
+    w[9][l] = w59;
     f[2][l] = x1;
     f[3][l] = x0;
     f[4][l] = x1;
-    f[5][l] = w21;
-    f[6][l] = w24;
+    f[5][l] = w23;
+    f[6][l] = w26;
     g[2][l] = d1;
 }
 
 INLINE void turn1(const lanes *c, lanes *w, lanes *f, lanes *g, int l)
 {
     const double w0 = lane_atan(w[0][l]);
-    const double w1 = c[6][l] * w0;
+    const double w1 = c[5][l] * w0;
     w[1][l] = w1;
 }
 
 INLINE void turn2(const lanes *c, lanes *w, lanes *f, lanes *g, int l)
 {
     const double w0 = lane_sin(w[1][l]);
-    const double w1 = c[10][l] * w0;
-    const double w2 = c[0][l] - w1;
-    const double w3 = w2 - w[2][l];
-    const double w4 = w3 - w[3][l];
-    const double w5 = c[13][l] * w4;
-    const double w6 = w5 - w[4][l];
-    const double w7 = c[16][l] * w0;
-    const double w8 = c[15][l] + w7;
-    const double w9 = w[5][l] - w8;
-    const double w10 = w9 + w[6][l];
-    const double w11 = c[18][l] * w10;
-    const double w12 = lane_cos(w[1][l]);
-    const double w13 = w12 * w[7][l];
-    const double w14 = c[25][l] * w13;
-    const double w15 = w14 + w[8][l];
-    const double w16 = w15 + w[9][l];
-    const double w17 = c[13][l] * w16;
-    const double w18 = w17 + w[10][l];
-    const double w19 = -w18;
-    const double w20 = c[30][l] * w13;
-    const double w21 = w[11][l] - w20;
-    const double w22 = w21 + w[12][l];
-    const double w23 = c[18][l] * w22;
-    const double w24 = w12 * w[13][l];
-    const double w25 = c[25][l] * w24;
-    const double w26 = w25 + w[14][l];
-    const double w27 = w26 + w[15][l];
-    const double w28 = w12 * w[16][l];
-    const double w29 = c[30][l] * w28;
-    const double w30 = w[17][l] + w29;
-    const double w31 = w30 + w[18][l];
-    const double w32 = c[13][l] * w27;
-    const double w33 = c[18][l] * w31;
-    const double w34 = w32 + w33;
-    const double w35 = -w34;
-    f[0][l] = w6;
-    f[1][l] = w11;
-    g[0][l] = w19;
-    g[1][l] = w23;
-    g[3][l] = w35;
+    const double w1 = c[17][l] * w0;
+    const double w2 = w[2][l] + w1;
+    const double w3 = c[24][l] * w0;
+    const double w4 = w[3][l] + w3;
+    const double w5 = lane_cos(w[1][l]);
+    const double w6 = w5 * w[4][l];
+    const double w7 = c[32][l] * w6;
+    const double w8 = w[5][l] + w7;
+    const double w9 = c[35][l] * w6;
+    const double w10 = w[6][l] + w9;
+    const double w11 = w5 * w[7][l];
+    const double w12 = w5 * w[8][l];
+    const double w13 = c[32][l] * w11;
+    const double w14 = w[9][l] + w13;
+    const double w15 = c[41][l] * w12;
+    const double w16 = w14 + w15;
+    f[0][l] = w2;
+    f[1][l] = w4;
+    g[0][l] = w8;
+    g[1][l] = w10;
+    g[3][l] = w16;
 }
 
 static void rates(const lanes *c, lanes *w, const lanes *x, lanes *f)
@@ -425,46 +422,45 @@ static void rates(const lanes *c, lanes *w, const lanes *x, lanes *f)
 INLINE void output(const lanes *c, int l, double x0, double x1, double x6, double x2, double x3, double x4, double x5, double *y0, double *y1, double *y2, double *y3, double *y4, double *y5, double *y6, double *y7, double *y8)
 {
     const double w0 = c[1][l] * x1;
-    const double w1 = w0 + x0;
-    const double w2 = c[2][l] * x1;
-    const double w3 = x0 - w2;
-    const double w4 = c[11][l] * w3;
+    const double w1 = x0 + w0;
+    const double w2 = c[11][l] * x1;
+    const double w3 = x0 + w2;
+    const double w4 = c[12][l] * w3;
     const double w5 = lane_atan(w4);
-    const double w6 = c[12][l] * w5;
-    const double w7 = c[4][l] * w5;
-    const double w8 = c[14][l] * w5;
-    const double w9 = c[17][l] * w5;
-    const double w10 = c[11][l] * w1;
+    const double w6 = c[12][l] * w1;
+    const double w7 = lane_atan(w6);
+    const double w8 = c[12][l] * x0;
+    const double w9 = lane_atan(w8);
+    const double w10 = c[27][l] * w1;
     const double w11 = lane_atan(w10);
-    const double w12 = c[11][l] * x0;
-    const double w13 = lane_atan(w12);
-    const double w14 = c[20][l] * w1;
-    const double w15 = lane_atan(w14);
-    const double w16 = c[19][l] * w1;
-    const double w17 = c[9][l] * w15;
-    const double w18 = w16 + w17;
-    const double w19 = c[5][l] * w18;
-    const double w20 = lane_atan(w19);
-    const double w21 = c[6][l] * w20;
-    const double w22 = lane_sin(w21);
-    const double w23 = c[10][l] * w22;
-    const double w24 = c[0][l] - w23;
-    const double w25 = w24 - w6;
-    const double w26 = w25 - w7;
-    const double w27 = c[13][l] * w26;
-    const double w28 = c[16][l] * w22;
-    const double w29 = c[15][l] + w28;
-    const double w30 = w8 - w29;
-    const double w31 = w30 + w9;
-    *y0 = w11;
+    const double w12 = c[26][l] * w1;
+    const double w13 = c[8][l] * w11;
+    const double w14 = w12 + w13;
+    const double w15 = c[4][l] * w14;
+    const double w16 = lane_atan(w15);
+    const double w17 = c[5][l] * w16;
+    const double w18 = lane_sin(w17);
+    const double w19 = c[9][l] * w18;
+    const double w20 = c[13][l] * w5;
+    const double w21 = c[3][l] * w5;
+    const double w22 = c[14][l] * w5;
+    const double w23 = w22 + c[0][l];
+    const double w24 = c[10][l] * w18;
+    const double w25 = w23 + w24;
+    const double w26 = c[15][l] * w25;
+    const double w27 = c[22][l] * w5;
+    const double w28 = w27 + c[21][l];
+    const double w29 = c[20][l] * w18;
+    const double w30 = w28 + w29;
+    *y0 = w7;
     *y1 = w5;
-    *y2 = w13;
-    *y3 = w23;
-    *y4 = w6;
-    *y5 = w7;
-    *y6 = w27;
-    *y7 = w26;
-    *y8 = w31;
+    *y2 = w9;
+    *y3 = w19;
+    *y4 = w20;
+    *y5 = w21;
+    *y6 = w26;
+    *y7 = w25;
+    *y8 = w30;
 }
 
 static void observe_lanes(const lanes *c, const lanes *x, lanes *y)
@@ -515,7 +511,7 @@ typedef struct {
 typedef struct {
     lanes p[NP], c[NC], w[NW], x[NS], xn[NS], k[2][NS], h;
     int64_t id;
-    int used, count;
+    int used, count, filled;               /* filled: numbers that all share are there */
 } __attribute__((aligned(64))) queue_t;
 
 /* ---- step control ------------------------------------------------------------------------ */
@@ -1229,16 +1225,20 @@ static int fill(queue_t *q, const job_t *job, int64_t *shared, double tau)
         const int64_t i = l < q->count ? id + l : job->n - 1;
         for (int j = 0; j < NS; ++j)
             q->x[j][l] = job->x0[j][i * job->x0_stride[j]];
-        for (int j = 0; j < NP; ++j)
-            q->p[j][l] = job->p[j][i * job->p_stride[j]];
     }
+    for (int j = 0; j < NP; ++j)
+        for (int l = 0; l < LANES && (job->p_stride[j] || !q->filled); ++l) {
+            const int64_t i = l < q->count ? id + l : job->n - 1;
+            q->p[j][l] = job->p[j][i * job->p_stride[j]];
+        }
+    q->filled = 1;
     constants(q->p, q->c);
     first_steps(q, job->t_end, tau);
     return 1;
 }
 
 /* Put lane l at the beginning of its trajectory. */
-static void restart(block_t *b, int l, double tau, double h)
+static void restart(block_t *b, int l, double tau, double h, int watched)
 {
     for (int j = 0; j < NS; ++j) {
         b->x[j][l] = b->begin[j][l];
@@ -1246,10 +1246,11 @@ static void restart(block_t *b, int l, double tau, double h)
         b->weight[j][l] = 1.0 / b->scale[j][l];
         b->past[j][l] = b->past2[j][l] = 0.0;
     }
-    for (int i = 0; i < ROWS; ++i)
+    for (int i = 0; watched && i < ROWS; ++i)
         b->largest[i][l] = 0.0, b->first[i][l] = INFINITY;
+    if (b->tau[l] != tau)
+        b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
     b->tau[l] = tau;
-    b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
     b->h[l] = h;
     b->t[l] = b->drift[l] = b->area[l] = b->passed[l] = b->spread[l] = b->doubt[l] = 0.0;
     b->state[l] = RUNNING;
@@ -1279,7 +1280,7 @@ static int load(block_t *b, int l, queue_t *q, const job_t *job, int64_t *shared
     b->least[l] = SHORTEST * job->t_end;
     b->steps[l] = 0.0;
     b->retries[l] = 0;
-    restart(b, l, tau, b->h0[l]);
+    restart(b, l, tau, b->h0[l], job->largest != NULL);
     return 1;
 }
 
@@ -1317,7 +1318,7 @@ static int retry(block_t *b, int l, const job_t *job)
     }
     const double finer = larger(0.3 * b->tau[l] * trusted / found, FINEST);
     ++b->retries[l];
-    restart(b, l, finer, b->h0[l] * pow(finer / b->tau[l], 0.125));
+    restart(b, l, finer, b->h0[l] * pow(finer / b->tau[l], 0.125), job->largest != NULL);
     return 1;
 }
 
