@@ -105,8 +105,10 @@ def test_expressions_keep_their_values(
 
 def test_what_cancels_is_nothing():
     x, p = ca.SX.sym("x", 2), ca.SX.sym("p", 2)
-    hidden = (x[0] + p[0] * x[1]) - x[0] - x[1] * p[0]
-    function = ca.Function("f", [x, p], [ca.vertcat(hidden, hidden * x[1], 3 + hidden)])
+    literal = x[0] - 0.5 * x[0] - 0.5 * x[0]
+    symbolic = (x[0] + p[0] * x[1]) - x[0] - x[1] * p[0]
+    results = [each for h in (literal, symbolic) for each in (h, h * x[1], 3 + h)]
+    function = ca.Function("f", [x, p], [ca.vertcat(*results)])
     compare(function, [1.5, 0.3], [0.7, 2.0])
 
 
