@@ -27,6 +27,9 @@ det = Quantity("det", "determinant", "1/s^2", "det A: stable needs > 0", r"\det 
 discriminant = Quantity(
     "discriminant", "discriminant", "1/s^2", "negative: the modes oscillate", r"\Delta"
 )
+separation = Quantity(
+    "separation", "separation", "1/s", "half the distance between the eigenvalues", r"\delta"
+)
 spread = Quantity(
     "spread", "spread", "1/s", "half the distance between two real eigenvalues", r"\sigma"
 )
@@ -113,8 +116,13 @@ def modes() -> Chain:
         Equation(det, A.det(), "Section 4.7"),
         # tr^2 - 4 det, written so that equal eigenvalues lose no digits
         Equation(discriminant, (A_vv - A_rr) ** 2 + 4 * A_vr * A_rv, "Section 4.7"),
-        Equation(spread, sp.sqrt(sp.Max(discriminant, 0)) / 2, "Section 4.7"),
-        Equation(damped_frequency, sp.sqrt(sp.Max(-discriminant, 0)) / 2, "Section 4.5.7"),
+        Equation(separation, sp.sqrt(sp.Abs(discriminant)) / 2, "Section 4.7"),
+        Equation(spread, sp.Piecewise((separation, discriminant > 0), (0, True)), "Section 4.7"),
+        Equation(
+            damped_frequency,
+            sp.Piecewise((separation, discriminant < 0), (0, True)),
+            "Section 4.5.7",
+        ),
         Equation(re_1, trace / 2 + spread, "Section 4.7"),
         Equation(re_2, trace / 2 - spread, "Section 4.7"),
         Equation(im_1, damped_frequency, "Section 4.7"),

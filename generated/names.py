@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 1424602dde5828b4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 42fde4887461f032) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "1424602dde5828b4"
+DIGEST = "42fde4887461f032"
 
 QUANTITIES = {
     q.symbol: q

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 1424602dde5828b4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 42fde4887461f032) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Closed forms of the linear model (Section 4.7 and what it leaves unsaid)."""
 
 from functools import cache
@@ -146,8 +146,9 @@ def modes() -> ca.Function:
     trace = A_rr + A_vv  # Section 4.7
     det = A_rr*A_vv - A_rv*A_vr  # Section 4.7
     discriminant = 4*A_rv*A_vr + (-A_rr + A_vv)**2  # Section 4.7
-    spread = (1/2)*ca.sqrt(ca.fmax(0, discriminant))  # Section 4.7
-    damped_frequency = (1/2)*ca.sqrt(ca.fmax(0, -discriminant))  # Section 4.5.7
+    separation = (1/2)*ca.sqrt(ca.fabs(discriminant))  # Section 4.7
+    spread = ca.if_else(discriminant > 0, separation, 0)  # Section 4.7
+    damped_frequency = ca.if_else(discriminant < 0, separation, 0)  # Section 4.5.7
     re_1 = spread + (1/2)*trace  # Section 4.7
     re_2 = -spread + (1/2)*trace  # Section 4.7
     im_1 = damped_frequency  # Section 4.7
@@ -219,8 +220,9 @@ def linear_modes() -> ca.Function:
     trace = A_rr + A_vv  # Section 4.7
     det = A_rr*A_vv - A_rv*A_vr  # Section 4.7
     discriminant = 4*A_rv*A_vr + (-A_rr + A_vv)**2  # Section 4.7
-    spread = (1/2)*ca.sqrt(ca.fmax(0, discriminant))  # Section 4.7
-    damped_frequency = (1/2)*ca.sqrt(ca.fmax(0, -discriminant))  # Section 4.5.7
+    separation = (1/2)*ca.sqrt(ca.fabs(discriminant))  # Section 4.7
+    spread = ca.if_else(discriminant > 0, separation, 0)  # Section 4.7
+    damped_frequency = ca.if_else(discriminant < 0, separation, 0)  # Section 4.5.7
     re_1 = spread + (1/2)*trace  # Section 4.7
     re_2 = -spread + (1/2)*trace  # Section 4.7
     im_1 = damped_frequency  # Section 4.7

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 1424602dde5828b4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 42fde4887461f032) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0,
  * and y[k] a column, or NULL if it is not wanted. */
 #include <math.h>
@@ -183,45 +183,45 @@ static void modes_block(int64_t n, const double *restrict p0, const double *rest
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
-        const double w0 = 0.5;
-        const double w1 = 0.0;
-        const double w2 = 4.0;
-        const double w3 = p2[i];
-        const double w4 = w2 * w3;
-        const double w5 = p1[i];
-        const double w6 = w4 * w5;
-        const double w7 = p0[i];
-        const double w8 = p3[i];
-        const double w9 = w7 - w8;
-        const double w10 = w9 * w9;
-        const double w11 = w6 + w10;
-        const double w12 = larger(w1, w11);
-        const double w13 = sqrt(w12);
-        const double w14 = w0 * w13;
-        const double w15 = w8 + w7;
-        const double w16 = w0 * w15;
-        const double w17 = w14 + w16;
-        y0[i] = w17;
-        const double w19 = -w11;
-        const double w20 = larger(w1, w19);
-        const double w21 = sqrt(w20);
-        const double w22 = w0 * w21;
+        const double w0 = 0.0;
+        const double w1 = 4.0;
+        const double w2 = p2[i];
+        const double w3 = w1 * w2;
+        const double w4 = p1[i];
+        const double w5 = w3 * w4;
+        const double w6 = p0[i];
+        const double w7 = p3[i];
+        const double w8 = w6 - w7;
+        const double w9 = w8 * w8;
+        const double w10 = w5 + w9;
+        const double w11 = w0 < w10 ? 1.0 : 0.0;
+        const double w12 = 0.5;
+        const double w13 = fabs(w10);
+        const double w14 = sqrt(w13);
+        const double w15 = w12 * w14;
+        const double w16 = w11 != 0.0 ? w15 : 0.0;
+        const double w17 = w7 + w6;
+        const double w18 = w12 * w17;
+        const double w19 = w16 + w18;
+        y0[i] = w19;
+        const double w21 = w10 < w0 ? 1.0 : 0.0;
+        const double w22 = w21 != 0.0 ? w15 : 0.0;
         y1[i] = w22;
-        const double w24 = w0 * w15;
-        const double w25 = w24 - w14;
+        const double w24 = w12 * w17;
+        const double w25 = w24 - w16;
         y2[i] = w25;
         const double w27 = -w22;
         y3[i] = w27;
-        const double w29 = -w17;
+        const double w29 = -w19;
         y4[i] = w29;
-        const double w31 = w8 * w7;
-        const double w32 = w3 * w5;
+        const double w31 = w7 * w6;
+        const double w32 = w2 * w4;
         const double w33 = w31 - w32;
         const double w34 = sqrt(w33);
         y5[i] = w34;
         y6[i] = w22;
         const double w37 = -0.5;
-        const double w38 = w37 * w15;
+        const double w38 = w37 * w17;
         const double w39 = w38 / w34;
         y7[i] = w39;
     }
@@ -242,16 +242,16 @@ static void linear_modes_block(int64_t n, const double *restrict p0, const doubl
 {
     _Pragma("omp simd")
     for (int64_t i = 0; i < n; ++i) {
-        const double w0 = 0.5;
-        const double w1 = 0.0;
-        const double w2 = 4.0;
-        const double w3 = p8[i];
-        const double w4 = 2.0 * w3;
-        const double w5 = p2[i];
-        const double w6 = w4 * w5;
-        const double w7 = p9[i];
+        const double w0 = 0.0;
+        const double w1 = 4.0;
+        const double w2 = p8[i];
+        const double w3 = 2.0 * w2;
+        const double w4 = p2[i];
+        const double w5 = w3 * w4;
+        const double w6 = p9[i];
+        const double w7 = 0.5;
         const double w8 = p6[i];
-        const double w9 = w0 * w8;
+        const double w9 = w7 * w8;
         const double w10 = p7[i];
         const double w11 = w9 * w10;
         const double w12 = p5[i];
@@ -259,14 +259,14 @@ static void linear_modes_block(int64_t n, const double *restrict p0, const doubl
         const double w14 = p4[i];
         const double w15 = w14 * w14;
         const double w16 = w13 * w15;
-        const double w17 = w7 + w16;
+        const double w17 = w6 + w16;
         const double w18 = p3[i];
         const double w19 = w17 * w18;
-        const double w20 = w6 - w19;
+        const double w20 = w5 - w19;
         const double w21 = p1[i];
         const double w22 = w21 * w14;
         const double w23 = w20 / w22;
-        const double w24 = w2 * w23;
+        const double w24 = w1 * w23;
         const double w25 = p0[i];
         const double w26 = w14 * w14;
         const double w27 = w25 * w26;
@@ -274,36 +274,36 @@ static void linear_modes_block(int64_t n, const double *restrict p0, const doubl
         const double w29 = w25 * w14;
         const double w30 = w28 / w29;
         const double w31 = w24 * w30;
-        const double w32 = w5 * w5;
-        const double w33 = w4 * w32;
+        const double w32 = w4 * w4;
+        const double w33 = w3 * w32;
         const double w34 = w18 * w18;
         const double w35 = w17 * w34;
         const double w36 = w33 + w35;
         const double w37 = w36 / w22;
-        const double w38 = w4 + w17;
+        const double w38 = w3 + w17;
         const double w39 = w38 / w29;
         const double w40 = w37 - w39;
         const double w41 = w40 * w40;
         const double w42 = w31 + w41;
-        const double w43 = larger(w1, w42);
-        const double w44 = sqrt(w43);
-        const double w45 = w0 * w44;
-        const double w46 = w37 + w39;
-        const double w47 = w0 * w46;
-        const double w48 = w45 - w47;
-        y0[i] = w48;
-        const double w50 = -w42;
-        const double w51 = larger(w1, w50);
-        const double w52 = sqrt(w51);
-        const double w53 = w0 * w52;
+        const double w43 = w0 < w42 ? 1.0 : 0.0;
+        const double w44 = fabs(w42);
+        const double w45 = sqrt(w44);
+        const double w46 = w7 * w45;
+        const double w47 = w43 != 0.0 ? w46 : 0.0;
+        const double w48 = w37 + w39;
+        const double w49 = w7 * w48;
+        const double w50 = w47 - w49;
+        y0[i] = w50;
+        const double w52 = w42 < w0 ? 1.0 : 0.0;
+        const double w53 = w52 != 0.0 ? w46 : 0.0;
         y1[i] = w53;
-        const double w55 = w0 * w46;
-        const double w56 = w45 + w55;
+        const double w55 = w7 * w48;
+        const double w56 = w47 + w55;
         const double w57 = -w56;
         y2[i] = w57;
         const double w59 = -w53;
         y3[i] = w59;
-        const double w61 = -w48;
+        const double w61 = -w50;
         y4[i] = w61;
         const double w63 = w37 * w39;
         const double w64 = w23 * w30;
@@ -312,7 +312,7 @@ static void linear_modes_block(int64_t n, const double *restrict p0, const doubl
         y5[i] = w66;
         y6[i] = w53;
         const double w69 = -0.5;
-        const double w70 = w69 * w46;
+        const double w70 = w69 * w48;
         const double w71 = w70 / w66;
         const double w72 = -w71;
         y7[i] = w72;
