@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 42fde4887461f032) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest ad8e64e6590a491e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Kernels for many aircraft at once: compiled on first use, called with NumPy arrays.
 
 They are compiled for the processor at hand, so AVX2 or AVX-512 is used where it is there, and
@@ -359,11 +359,17 @@ def sweep(
     NoCompilerError
         If there is no C compiler.
     """
-    kernel = getattr(_load(SWEEPS[function], _UNCONTRACTED), f"sweep_{function}")
-    kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
     given, made = _Pointers(arguments), _Pointers(results)
     threads = 1 if _forked else threads
-    kernel(count, threads, given.address(), given.stride_address(), made.address())
+    sweeper = _sweeper(function)
+    sweeper(count, threads, given.address(), given.stride_address(), made.address())
+
+
+@cache
+def _sweeper(function: str) -> Any:
+    kernel = getattr(_load(SWEEPS[function], _UNCONTRACTED), f"sweep_{function}")
+    kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
+    return kernel
 
 
 @cache

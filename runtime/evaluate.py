@@ -6,6 +6,7 @@ import io
 import math
 from collections.abc import Mapping
 from contextlib import redirect_stderr
+from functools import cache
 from typing import Any
 
 import casadi as ca
@@ -65,22 +66,28 @@ def sweep_into(
     threads : int
         Does not change a bit of the result.
     """
-    function = generated.build(name)
+    given, made = names_of(name)
     if not kernels.can_sweep(name):
-        found = _one_by_one(function, {k: arguments[k] for k in function.name_in()}, shape)
+        found = _one_by_one(generated.build(name), {k: arguments[k] for k in given}, shape)
         for key, result in results.items():
             result[...] = found[key]
         return
-    flat = [_flat(arguments[key], shape) for key in function.name_in()]
-    rows = [results.get(key) for key in function.name_out()]
-    kernels.sweep(name, math.prod(shape), flat, rows, threads)
+    flat = [_flat(arguments[key], shape) for key in given]
+    kernels.sweep(name, math.prod(shape), flat, [results.get(key) for key in made], threads)
+
+
+@cache
+def names_of(function: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names of the arguments and of the results of a generated function."""
+    built = generated.build(function)
+    return tuple(built.name_in()), tuple(built.name_out())
 
 
 def _flat(array: FloatArray, shape: tuple[int, ...]) -> FloatArray:
     """An argument as one number or as a column with one for each point."""
-    if array.size == 1:
-        return np.ascontiguousarray(array, dtype=np.float64).reshape(1)
-    return np.ascontiguousarray(np.broadcast_to(array, shape), dtype=np.float64).reshape(-1)
+    if array.size > 1 and array.shape != shape:
+        array = np.broadcast_to(array, shape)
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(-1)
 
 
 def _one_by_one(

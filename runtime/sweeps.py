@@ -13,8 +13,7 @@ from .aircraft import Aircraft
 from .arrays import FloatArray
 from .chunks import check_memory, thread_count
 from .errors import GroundloopError, unknown
-from .evaluate import sweep_into
-from .generated import build
+from .evaluate import names_of, sweep_into
 from .linearization import ComplexArray
 from .stability import CLOSED_FORMS, OVER_SPEED
 
@@ -128,7 +127,7 @@ def sweep(
     aircraft = plane.replace(**values) if values else plane
     count = thread_count(threads)
     functions = list(dict.fromkeys(SWEPT[name][0] for name in names))
-    needed = list(dict.fromkeys(s for f in functions for s in build(f).name_in()))
+    needed = dict.fromkeys(s for f in functions for s in names_of(f)[0])
     given = {s: aircraft[s] for s in needed}
     shape = np.broadcast_shapes(*(value.shape for value in given.values()))
     results = _room(names, shape, aircraft, out)

@@ -358,11 +358,17 @@ def sweep(
     NoCompilerError
         If there is no C compiler.
     """
-    kernel = getattr(_load(SWEEPS[function], _UNCONTRACTED), f"sweep_{function}")
-    kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
     given, made = _Pointers(arguments), _Pointers(results)
     threads = 1 if _forked else threads
-    kernel(count, threads, given.address(), given.stride_address(), made.address())
+    sweeper = _sweeper(function)
+    sweeper(count, threads, given.address(), given.stride_address(), made.address())
+
+
+@cache
+def _sweeper(function: str) -> Any:
+    kernel = getattr(_load(SWEEPS[function], _UNCONTRACTED), f"sweep_{function}")
+    kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
+    return kernel
 
 
 @cache
