@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import FloatArray, broadcast, physical
+from .arrays import FloatArray, broadcast, common_shape, physical
 from .errors import GroundloopError
 from .evaluate import elementwise
 from .generated import build
@@ -79,6 +79,19 @@ class Source:
     entry: str = ""
 
 
+class _Checked(dict[str, FloatArray]):
+    """Values that `_checked` gave."""
+
+
+def _checked(key: str, value: Any) -> FloatArray:
+    """A value of a parameter that is as it must be, and that nobody can change."""
+    array = physical(key, value).copy()
+    array.setflags(write=False)
+    if array.size == 0:
+        raise GroundloopError(f"{_label(key)} must have a value, but it is an empty array")
+    return array
+
+
 @dataclass(frozen=True, repr=False, eq=False)
 class Aircraft:
     """The parameters of an aircraft, by symbol (``a``) or full name (``main_gear_arm``).
@@ -107,12 +120,10 @@ class Aircraft:
     source: str = ""
 
     def __post_init__(self) -> None:
-        values = {s: physical(s, value).copy() for s, value in self.given.items()}
-        for key, array in values.items():
-            array.setflags(write=False)
-            if array.size == 0:
-                raise GroundloopError(f"{_label(key)} must have a value, but it is an empty array")
-        broadcast(values)
+        values = self.given
+        if not isinstance(values, _Checked):
+            values = {key: _checked(key, value) for key, value in values.items()}
+        common_shape(values)
         object.__setattr__(self, "given", MappingProxyType(values))
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -154,7 +165,7 @@ class Aircraft:
         GroundloopError
             For an unknown name, naming the nearest, or a value that cannot be.
         """
-        given = dict(self.given)
+        given = _Checked(self.given)
         sources = dict(self.sources)
         changed: dict[str, str] = {}
         for name, value in changes.items():
@@ -168,7 +179,7 @@ class Aircraft:
             if value is None:
                 given.pop(key, None)
             else:
-                given[key] = in_si(value, key, name)
+                given[key] = _checked(key, in_si(value, key, name))
         return _replace(self, given=given, sources=sources)
 
     def __getitem__(self, name: str) -> FloatArray:

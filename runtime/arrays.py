@@ -32,9 +32,9 @@ def finite(name: str, value: Any) -> FloatArray:
         raise GroundloopError(
             f"{name} must be a number or an array of numbers, not {value!r}"
         ) from problem
-    bad = ~np.isfinite(array)
-    if bad.any():
-        raise GroundloopError(f"{name} must be finite, but {_where(name, array, bad)}")
+    good = np.isfinite(array)
+    if not good.all():
+        raise GroundloopError(f"{name} must be finite, but {_where(name, array, ~good)}")
     return array
 
 
@@ -45,26 +45,31 @@ def physical(symbol: str, value: Any) -> FloatArray:
     array = finite(label, value)
     if quantity.sign:
         accept, words = _SIGNS[quantity.sign]
-        bad = ~accept(array, 0.0)
-        if bad.any():
-            raise GroundloopError(f"{label} must be {words}, but {_where(symbol, array, bad)}")
+        good = accept(array, 0.0)
+        if not good.all():
+            raise GroundloopError(f"{label} must be {words}, but {_where(symbol, array, ~good)}")
     return array
 
 
 def broadcast(arrays: Mapping[str, FloatArray]) -> tuple[dict[str, FloatArray], tuple[int, ...]]:
-    """All arrays in their common shape.
+    """All arrays in their common shape, and the shape; errors as for `common_shape`."""
+    shape = common_shape(arrays)
+    return {name: np.broadcast_to(array, shape) for name, array in arrays.items()}, shape
+
+
+def common_shape(arrays: Mapping[str, FloatArray]) -> tuple[int, ...]:
+    """What arrays broadcast to.
 
     Raises
     ------
     GroundloopError
-        If there is none; the message gives each shape.
+        If they do not; the message gives each shape.
     """
     try:
-        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+        return np.broadcast_shapes(*{array.shape for array in arrays.values()})
     except ValueError:
         shapes = ", ".join(f"{name} {a.shape}" for name, a in arrays.items() if a.ndim)
         raise GroundloopError(f"these shapes do not broadcast together: {shapes}") from None
-    return {name: np.broadcast_to(array, shape) for name, array in arrays.items()}, shape
 
 
 def _where(name: str, array: FloatArray, bad: npt.NDArray[np.bool_]) -> str:

@@ -16,6 +16,8 @@ from .errors import GroundloopError
 T = TypeVar("T")
 R = TypeVar("R")
 
+#: Bytes that are there in any case.
+_LITTLE = 2**24
 #: Chunks that wait at an executor, so that it never idles and memory stays bounded.
 _WAITING = 32
 
@@ -100,8 +102,7 @@ def thread_count(threads: Any) -> int:
 
 def check_memory(needed: int, what: str) -> None:
     """Refuse what does not fit into memory, before any work starts."""
-    there = _available()
-    if needed > there:
+    if needed > _LITTLE and needed > (there := _available()):
         raise GroundloopError(
             f"{what} take {_gigabytes(needed)}, but there are only {_gigabytes(there)} of memory;"
             " ask for fewer names or times, or run parts one after the other"

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 
 from .aircraft import Aircraft, parameter_symbols
-from .arrays import FloatArray, broadcast, finite
+from .arrays import FloatArray, common_shape, finite
 from .chunks import piece
 from .ensemble_result import Ensemble, Named
 from .errors import GroundloopError, unknown
@@ -55,6 +55,11 @@ class Plan:
         return tuple(s for s in self.names if s in signature(self.tire).states)
 
     @property
+    def sampled(self) -> tuple[str, ...]:
+        """The names that are sampled over time."""
+        return self.names if self.at.size else ()
+
+    @property
     def bytes_each(self) -> int:
         """Bytes of the result of one trajectory."""
         numbers = len(self.final) + len(self.names) * self.at.size + 2 * len(self.watched)
@@ -68,21 +73,24 @@ class Plan:
     def task(self, chunk: range) -> Task:
         """The trajectories of a chunk."""
         cut_out = partial(piece, shape=self.shape, chunk=chunk)
-        given = {s: cut_out(value) for s, value in self.aircraft.given.items()}
-        plane = replace(self.aircraft, given=given)
         names = signature(self.tire)
         p = [cut_out(self.inputs[s]) for s in names.inputs]
-        p += [plane[s] for s in names.parameters]
+        if len(chunk) == math.prod(self.shape):
+            p += [cut_out(self.aircraft[s]) for s in names.parameters]
+        else:  # what follows from others, follows for the chunk alone
+            given = {s: cut_out(value) for s, value in self.aircraft.given.items()}
+            plane = replace(self.aircraft, given=given)
+            p += [plane[s] for s in names.parameters]
         x0 = [cut_out(self.start[s]) for s in KERNELS[self.kernel].states]
         return Task(
             kernel=self.kernel,
-            x0=tuple(map(np.atleast_1d, x0)),
-            p=tuple(map(np.atleast_1d, p)),
+            x0=tuple(value.reshape(-1) for value in x0),
+            p=tuple(value.reshape(-1) for value in p),
             count=len(chunk),
             t=self.t,
             tol=self.tol,
             times=self.at,
-            sampled=self.names if self.at.size else (),
+            sampled=self.sampled,
             watched=self.watched,
             limits=dict(self.limits or {}),
             within=dict(self.within or {}),
@@ -91,13 +99,12 @@ class Plan:
     def empty_result(self) -> Outcome:
         """Room for all trajectories."""
         n = math.prod(self.shape)
-        sampled = self.names if self.at.size else ()
         return Outcome(
             status=np.empty(n, np.int8),
             steps=np.empty(n, np.int32),
             estimate=np.empty(n),
             final={s: np.empty(n) for s in self.final},
-            samples={s: np.empty((n, self.at.size)) for s in sampled},
+            samples={s: np.empty((n, self.at.size)) for s in self.sampled},
             largest={s: np.empty(n) for s in self.watched},
             first={s: np.empty(n) for s in self.limits or {}},
         )
@@ -105,8 +112,8 @@ class Plan:
     def shaped(self, result: Outcome) -> Ensemble:
         """The result in the shape of the trajectories."""
 
-        def named(arrays: Mapping[str, FloatArray], what: str) -> Named:
-            each = {s: v.reshape((*self.shape, *v.shape[1:])) for s, v in arrays.items()}
+        def named(arrays: Mapping[str, FloatArray], wanted: Iterable[str], what: str) -> Named:
+            each = {s: arrays[s].reshape((*self.shape, *arrays[s].shape[1:])) for s in wanted}
             return Named(each, what)
 
         return Ensemble(
@@ -119,11 +126,11 @@ class Plan:
             status=result.status.reshape(self.shape),
             steps=result.steps.reshape(self.shape),
             estimate=result.estimate.reshape(self.shape),
-            final=named(result.final, "final states"),
+            final=named(result.final, self.final, "final states"),
             at=self.at,
-            samples=named(result.samples, "samples"),
-            largest=named(result.largest, "extremes"),
-            first=named(result.first, "limits"),
+            samples=named(result.samples, self.sampled, "samples"),
+            largest=named(result.largest, self.watched, "extremes"),
+            first=named(result.first, self.limits or (), "limits"),
             limits=dict(self.limits or {}),
             within=dict(self.within or {}),
         )
@@ -146,7 +153,7 @@ def plan(
     x0 = {s: finite(f"{s}0", start.get(s, 0.0)) for s in model.states}
     u = {s: finite(QUANTITIES[s].name, inputs.get(s, 0.0)) for s in model.inputs}
     own = {f"{s}0": value for s, value in x0.items()}
-    _, shape = broadcast({**aircraft.given, **u, **own})
+    shape = common_shape({**aircraft.given, **u, **own})
     if 0 in shape:
         raise GroundloopError(f"there is nothing to simulate: the arrays broadcast to {shape}")
     times = _times(at, duration)
@@ -217,9 +224,13 @@ def _sorted(
 
 
 def _check_name(name: str, others: Iterable[str]) -> None:
-    known = [n for s in parameter_symbols() for n in (s, QUANTITIES[s].name)]
-    if name not in known:
-        raise unknown("argument", name, [*others, *known], "ensemble")
+    if name not in _parameter_names():
+        raise unknown("argument", name, [*others, *_parameter_names()], "ensemble")
+
+
+@cache
+def _parameter_names() -> dict[str, None]:
+    return dict.fromkeys(n for s in parameter_symbols() for n in (s, QUANTITIES[s].name))
 
 
 def _list(what: str, names: Iterable[str]) -> list[str]:

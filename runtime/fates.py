@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, broadcast, finite
+from .arrays import FloatArray, common_shape, finite
 from .chunks import cut, piece, run
 from .ensemble_result import Ensemble
 from .ensembles import ensemble
@@ -90,7 +90,7 @@ def fates(
         s; NaN for those that do not straighten out in time.
     """
     start = {"v": finite("v", v), "r": finite("r", r)}
-    _, shape = broadcast({**plane.given, **start})
+    shape = common_shape({**plane.given, **start})
     total = math.prod(shape)
     fate, when = np.empty(total, np.int8), np.empty(total)
 

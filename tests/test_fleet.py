@@ -324,6 +324,10 @@ class TestArrays:
         PRINTED.replace(a=mine)
         assert mine.flags.writeable
 
+    def test_what_does_not_change_is_shared(self):
+        plane = PRINTED.replace(a=np.array([0.1, 0.2]))
+        assert plane.replace(m=800.0)["a"] is plane["a"]
+
     def test_no_values_at_all(self):
         text = message(lambda: gl.simulate(PRINTED.replace(m=np.array([])), v0=0.1))
         assert "mass (m)" in text
