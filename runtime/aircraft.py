@@ -85,10 +85,12 @@ class _Checked(dict[str, FloatArray]):
 
 def _checked(key: str, value: Any) -> FloatArray:
     """A value of a parameter that is as it must be, and that nobody can change."""
-    array = physical(key, value).copy()
-    array.setflags(write=False)
+    array = physical(key, value)
     if array.size == 0:
         raise GroundloopError(f"{_label(key)} must have a value, but it is an empty array")
+    if array.flags.writeable or not array.flags.owndata:
+        array = array.copy()
+        array.setflags(write=False)
     return array
 
 
@@ -158,7 +160,8 @@ class Aircraft:
         ----------
         **changes : float, array, str or None
             By symbol or full name: a number in SI units with radians, an array of them, a
-            string with a unit (``"70 N/deg"``), or None to let the parameter follow.
+            string with a unit (``"70 N/deg"``), or None to let the parameter follow. An array is
+            copied, but for one that owns its memory and is read-only.
 
         Raises
         ------

@@ -72,6 +72,29 @@ def common_shape(arrays: Mapping[str, FloatArray]) -> tuple[int, ...]:
         raise GroundloopError(f"these shapes do not broadcast together: {shapes}") from None
 
 
+def check_out(name: str, array: Any, shape: tuple[int, ...]) -> None:
+    """Refuse an array that results of a shape cannot be written to as they come.
+
+    Raises
+    ------
+    GroundloopError
+        If it is no array of native float64 of that shape, writeable and in C order.
+    """
+    if not isinstance(array, np.ndarray):
+        raise GroundloopError(f"{name} must be an array, not {type(array).__name__}")
+    if array.shape != shape:
+        raise GroundloopError(f"{name} must have the shape {shape}, not {array.shape}")
+    if array.dtype != np.float64:
+        raise GroundloopError(f"{name} must hold float64, not {array.dtype}")
+    if not array.flags.writeable:
+        raise GroundloopError(f"{name} is read-only")
+    if not array.flags.carray:
+        raise GroundloopError(
+            f"{name} must be contiguous in C order, as np.empty({shape}) is; its strides are"
+            f" {array.strides}"
+        )
+
+
 def _where(name: str, array: FloatArray, bad: npt.NDArray[np.bool_]) -> str:
     index = tuple(int(i) for i in np.argwhere(bad)[0])
     place = f"{name}[{', '.join(map(str, index))}]" if index else name

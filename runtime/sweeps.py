@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .aircraft import Aircraft
-from .arrays import FloatArray
+from .arrays import FloatArray, check_out, common_shape
 from .chunks import check_memory, thread_count
 from .errors import GroundloopError, unknown
 from .evaluate import names_of, sweep_into
@@ -93,7 +94,7 @@ def sweep(
     of: Iterable[str] = _MODES,
     *,
     threads: int | None = None,
-    out: Sweep | None = None,
+    out: Mapping[str, FloatArray] | None = None,
     **values: Any,
 ) -> Sweep:
     """Eigenvalues, damping, frequencies and margins of the linear model at many points.
@@ -107,21 +108,22 @@ def sweep(
         or `groundloop.SpeedWindow`. Default: eigenvalues, damping ratio, natural frequency.
     threads : int, optional
         Every processor if omitted; does not change a bit of the result.
-    out : Sweep, optional
-        The result of an earlier call with the same shape and names, to be overwritten: spares the
-        system new pages, which take as long as the work.
+    out : mapping of str to ndarray, optional
+        Arrays by name of the result, or an earlier `Sweep`, to write to; each of float64, in C
+        order, and of the shape of the points. To write to new memory takes longer than the work.
     **values : float or array
         Parameters by symbol or full name; they broadcast.
 
     Returns
     -------
     Sweep
-        Results by name.
+        Results by name; the arrays of `out` if it is given.
 
     Raises
     ------
     GroundloopError
-        For unknown names, values that cannot be, or shapes that do not broadcast.
+        For unknown names, values that cannot be, shapes that do not broadcast, or an `out` that
+        cannot be written to.
     """
     names = _names(of)
     aircraft = plane.replace(**values) if values else plane
@@ -129,14 +131,12 @@ def sweep(
     functions = list(dict.fromkeys(SWEPT[name][0] for name in names))
     needed = dict.fromkeys(s for f in functions for s in names_of(f)[0])
     given = {s: aircraft[s] for s in needed}
-    shape = np.broadcast_shapes(*(value.shape for value in given.values()))
-    results = _room(names, shape, aircraft, out)
+    shape = common_shape(given)
+    results = _room(names, shape, out)
     for function in functions:
-        wanted = {
-            SWEPT[name][1]: results.arrays[name] for name in names if SWEPT[name][0] == function
-        }
+        wanted = {SWEPT[name][1]: results[name] for name in names if SWEPT[name][0] == function}
         sweep_into(function, given, shape, wanted, count)
-    return results
+    return Sweep(aircraft, results)
 
 
 def _names(of: Iterable[str]) -> tuple[str, ...]:
@@ -152,14 +152,20 @@ def _names(of: Iterable[str]) -> tuple[str, ...]:
 
 
 def _room(
-    names: tuple[str, ...], shape: tuple[int, ...], aircraft: Aircraft, out: Sweep | None
-) -> Sweep:
+    names: tuple[str, ...], shape: tuple[int, ...], out: Mapping[str, FloatArray] | None
+) -> dict[str, FloatArray]:
     """Where the results go."""
     if out is None:
         check_memory(8 * len(names) * math.prod(shape), "the results")
-        return Sweep(aircraft, {name: np.empty(shape) for name in names})
-    if tuple(out.arrays) != names or any(v.shape != shape for v in out.arrays.values()):
+        return {name: np.empty(shape) for name in names}
+    if not isinstance(out, Mapping) or set(out) != set(names):
+        given = ", ".join(map(str, out)) if isinstance(out, Mapping) else type(out).__name__
         raise GroundloopError(
-            f"out must hold {', '.join(names)} of shape {shape}, as an earlier call returned them"
+            f"out must map the names of the results to arrays: {', '.join(names)}; not {given}"
         )
-    return Sweep(aircraft, out.arrays)
+    for name in names:
+        check_out(f"out[{name!r}]", out[name], shape)
+    for one, other in combinations(names, 2):
+        if np.may_share_memory(out[one], out[other]):
+            raise GroundloopError(f"out[{one!r}] and out[{other!r}] share memory")
+    return {name: out[name] for name in names}

@@ -324,6 +324,13 @@ class TestArrays:
         PRINTED.replace(a=mine)
         assert mine.flags.writeable
 
+    def test_only_what_is_read_only_is_shared(self):
+        mine = np.array([0.1, 0.2])
+        mine.flags.writeable = False
+        assert PRINTED.replace(a=mine)["a"] is mine
+        view = mine[:]
+        assert not np.shares_memory(PRINTED.replace(a=view)["a"], mine)
+
     def test_what_does_not_change_is_shared(self):
         plane = PRINTED.replace(a=np.array([0.1, 0.2]))
         assert plane.replace(m=800.0)["a"] is plane["a"]

@@ -89,6 +89,45 @@ def test_grids_broadcast_and_results_can_be_reused():
     assert "7 x 5 points" in repr(sweep)
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+def test_results_go_where_they_are_asked_to(compiled: bool, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(kernels, "can_sweep", lambda function: compiled)
+    shape, names = (40, 30), ["re_1", "understeer_gradient"]
+    few = {"a": np.linspace(-1, 1, 40)[:, None], "speed": np.linspace(15, 40, 30)}
+    table = np.full((3, *shape), np.nan)
+    out = dict(zip(names, table, strict=False))
+    sweep = gl.sweep(PLANE, names, out=out, **few)
+    fresh = gl.sweep(PLANE, names, **few)
+    for name, row in out.items():
+        assert sweep[name] is row
+        assert np.array_equal(row, fresh[name])
+    assert np.isnan(table[2]).all()
+
+
+def _room() -> dict[str, np.ndarray]:
+    return {name: np.empty(3) for name in ("re_1", "im_1")}
+
+
+@pytest.mark.parametrize(
+    ("out", "message"),
+    [
+        (np.empty(3), "out must map the names .* re_1, im_1; not ndarray"),
+        ({"re_1": np.empty(3)}, "out must map the names .* re_1, im_1; not re_1"),
+        (_room() | {"re_2": np.empty(3)}, "not re_1, im_1, re_2"),
+        (_room() | {"im_1": [0.0, 0.0, 0.0]}, r"out\['im_1'\] must be an array, not list"),
+        (_room() | {"im_1": np.empty(4)}, r"must have the shape \(3,\), not \(4,\)"),
+        (_room() | {"im_1": np.empty(3, np.float32)}, "must hold float64, not float32"),
+        (_room() | {"im_1": np.empty(3, ">f8")}, "must hold float64, not >f8"),
+        (_room() | {"im_1": np.broadcast_to(1.0, 3)}, "is read-only"),
+        (_room() | {"im_1": np.empty(6)[::2]}, r"contiguous in C order.* \(16,\)"),
+        (dict.fromkeys(["re_1", "im_1"], np.empty(3)), "share memory"),
+    ],
+)
+def test_what_cannot_be_written_to_is_refused(out: object, message: str):
+    with pytest.raises(gl.GroundloopError, match=message):
+        gl.sweep(PLANE, ["re_1", "im_1"], out=out, a=[0.1, 0.2, 0.3])
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -100,7 +139,6 @@ def test_grids_broadcast_and_results_can_be_reused():
         ({"speed": 0.0}, "must be positive"),
         ({"spede": 1.0}, "unknown parameter 'spede'.*speed"),
         ({"threads": 1.5}, "threads must be a whole number"),
-        ({"out": gl.sweep(PLANE, ["re_1"])}, "out must hold re_1, .* of shape"),
     ],
 )
 def test_mistakes_are_named(arguments: dict[str, object], message: str):
