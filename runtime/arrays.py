@@ -65,8 +65,11 @@ def common_shape(arrays: Mapping[str, FloatArray]) -> tuple[int, ...]:
     GroundloopError
         If they do not; the message gives each shape.
     """
+    different = {array.shape for array in arrays.values()} - {()}
+    if len(different) <= 1:
+        return different.pop() if different else ()
     try:
-        return np.broadcast_shapes(*{array.shape for array in arrays.values()})
+        return np.broadcast_shapes(*different)
     except ValueError:
         shapes = ", ".join(f"{name} {a.shape}" for name, a in arrays.items() if a.ndim)
         raise GroundloopError(f"these shapes do not broadcast together: {shapes}") from None
@@ -86,13 +89,14 @@ def check_out(name: str, array: Any, shape: tuple[int, ...]) -> None:
         raise GroundloopError(f"{name} must have the shape {shape}, not {array.shape}")
     if array.dtype != np.float64:
         raise GroundloopError(f"{name} must hold float64, not {array.dtype}")
+    if array.flags.carray:
+        return
     if not array.flags.writeable:
         raise GroundloopError(f"{name} is read-only")
-    if not array.flags.carray:
-        raise GroundloopError(
-            f"{name} must be contiguous in C order, as np.empty({shape}) is; its strides are"
-            f" {array.strides}"
-        )
+    raise GroundloopError(
+        f"{name} must be contiguous in C order, as np.empty({shape}) is; its strides are"
+        f" {array.strides}"
+    )
 
 
 def _where(name: str, array: FloatArray, bad: npt.NDArray[np.bool_]) -> str:

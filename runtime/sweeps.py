@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -165,7 +165,8 @@ def _room(
         )
     for name in names:
         check_out(f"out[{name!r}]", out[name], shape)
-    for one, other in combinations(names, 2):
+    in_memory = sorted(names, key=lambda name: out[name].ctypes.data)
+    for one, other in pairwise(in_memory):
         if np.may_share_memory(out[one], out[other]):
             raise GroundloopError(f"out[{one!r}] and out[{other!r}] share memory")
     return {name: out[name] for name in names}

@@ -146,13 +146,15 @@ class Limit:
 
         return run
 
-    def linear(self, n: int, threads: int = 1) -> Callable[[], list[np.ndarray]]:
-        columns, out = linear_draw(n), [np.empty(n) for _ in range(6)]
-        table = (ctypes.c_void_p * 6)(*(o.ctypes.data for o in out))
+    def linear(self, n: int, threads: int = 1, new: bool = False) -> Callable[[], list[np.ndarray]]:
+        """Into the same arrays again and again, or into new ones."""
+        columns, kept = linear_draw(n), [np.empty(n) for _ in range(6)]
         pointers = [ctypes.c_void_p(c.ctypes.data) for c in columns]
 
         def run() -> list[np.ndarray]:
             assert columns
+            out = [np.empty(n) for _ in range(6)] if new else kept
+            table = (ctypes.c_void_p * 6)(*(o.ctypes.data for o in out))
             self._library.linear(ctypes.c_int64(n), *pointers, table, ctypes.c_int64(threads))
             return out
 
@@ -162,8 +164,8 @@ class Limit:
         """The limit of a job, and how much of a call one job is."""
         if job == "S":
             return self.single(*self._steps[f"S/{target:g}"], 300), 1 / 300
-        if job == "L":
-            return self.linear(1_000_000, threads), 1.0
+        if job in ("L", "N"):
+            return self.linear(1_000_000, threads, new=job == "N"), 1.0
         n = int(job[1:])
         return self.ensemble(n, self._steps[f"E{n}/{target:g}"], threads), 1.0
 

@@ -72,15 +72,24 @@ def single(bench: common.Bench) -> None:
 
 def linear(bench: common.Bench) -> None:
     a, Ct, u = common.linear_draw(1_000_000)
-    plane = aircraft(a=a, Ct=Ct, u=u)
+    plain, plane = aircraft(), aircraft(a=a, Ct=Ct, u=u)
     out = gl.sweep(plane)
     exact = bench.limit.linear(1_000_000)()
     error = float(np.max(np.abs(out["re_1"] - exact[0])) / np.abs(exact[0]).max())
-    for threads in (1, 2):
-        bench.row(
-            "L", common.TARGETS[0], "sweep", lambda k=threads: gl.sweep(plane, out=out, threads=k),
-            error, threads=threads,
-        )  # fmt: skip
+
+    def into(kept: gl.Sweep | None, threads: int) -> gl.Sweep:
+        return gl.sweep(plane, out=kept, threads=threads)
+
+    def checked(kept: gl.Sweep | None, threads: int) -> gl.Sweep:
+        return gl.sweep(plain, out=kept, threads=threads, a=a, Ct=Ct, speed=u)
+
+    for job, kept in (("L", out), ("N", None)):
+        for how, run in (("aircraft made before", into), ("values checked and copied", checked)):
+            for threads in (1, 2):
+                bench.row(
+                    job, TARGETS[0], "sweep", lambda f=run, o=kept, k=threads: f(o, k), error, how,
+                    threads=threads, repeats=21,
+                )  # fmt: skip
     few = 20_000
     A = gl.linearize(aircraft(a=a[:few], Ct=Ct[:few], u=u[:few]), "linear").A
     bench.tool, bench.version = "NumPy eigvals", np.__version__

@@ -33,7 +33,8 @@ JOBS = {
     "E10000": "10,000 trajectories, final state at 5 s",
     "E100000": "100,000 trajectories, final state at 5 s",
     "S": "one trajectory, 501 outputs",
-    "L": "1,000,000 linearisations",
+    "L": "1,000,000 linearisations, into arrays that are there",
+    "N": "1,000,000 linearisations, into new arrays",
 }
 _SHORT = {"E10000": "10,000 trajectories", "S": "One trajectory, 501 outputs"}
 Row = dict[str, Any]
@@ -145,7 +146,7 @@ def report(rows: list[Row], missing: dict[str, str]) -> str:
     ]
     for job, title in JOBS.items():
         for target in sorted({row["target"] for row in rows if row["job"] == job}, reverse=True):
-            bound = "" if job == "L" else f", error below {target:g}"
+            bound = "" if job in ("L", "N") else f", error below {target:g}"
             columns = ("tool", "threads", "setting", "error", "time", "ratio")
             lines += [f"## {title}{bound}", "", f"| {' | '.join(columns)} |"]
             lines.append("|---" * len(columns) + "|")
