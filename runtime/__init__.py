@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from .aircraft import Aircraft
     from .basins import Basin, basin
     from .checking import Check, check
-    from .ensemble_records import load_ensemble, load_sweep
     from .ensemble_result import Ensemble
     from .ensembles import ensemble
     from .errors import GroundloopError
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
     from .maps import StabilityMap, stability_map
     from .metrics import Metrics
     from .placement import Envelope, InfeasibleError, Limits, Placement, place_gear
-    from .records import load_linearization, load_run
     from .response import (
         FrequencyResponse,
         RootLocus,
@@ -38,6 +36,7 @@ if TYPE_CHECKING:
         step_response,
     )
     from .response_plot import pole_map
+    from .results import Result
     from .runway import animate, runway_view
     from .sensitivities import Sensitivities
     from .simulation import Trajectory, simulate
@@ -75,6 +74,7 @@ _HOME = {
     "Metrics": "metrics",
     "OperatingPoint": "linearization",
     "Placement": "placement",
+    "Result": "results",
     "RootLocus": "response",
     "Sensitivities": "sensitivities",
     "SpeedWindow": "stability",
@@ -95,10 +95,6 @@ _HOME = {
     "gear_limit": "stability",
     "integrator": "integration",
     "linearize": "linearization",
-    "load_ensemble": "ensemble_records",
-    "load_linearization": "records",
-    "load_run": "records",
-    "load_sweep": "ensemble_records",
     "margins": "stability",
     "place_gear": "placement",
     "pole_map": "response_plot",
@@ -134,6 +130,7 @@ __all__ = [
     "Metrics",
     "OperatingPoint",
     "Placement",
+    "Result",
     "RootLocus",
     "Sensitivities",
     "SpeedWindow",
@@ -155,10 +152,6 @@ __all__ = [
     "gusts",
     "integrator",
     "linearize",
-    "load_ensemble",
-    "load_linearization",
-    "load_run",
-    "load_sweep",
     "margins",
     "place_gear",
     "pole_map",

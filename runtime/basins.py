@@ -18,6 +18,8 @@ from .kicks import check_tire, kick
 from .names import symbol
 from .plots import INK, style
 from .progress import Progress, counted
+from .records import Column, Record, measured
+from .results import Result
 from .units import from_si
 
 if TYPE_CHECKING:
@@ -31,7 +33,7 @@ _SHOWN = {"rad/s": "deg/s", "rad": "deg"}
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Basin:
+class Basin(Result):
     """What becomes of an aircraft over two axes.
 
     Attributes
@@ -102,6 +104,31 @@ class Basin:
             ax.set_ylabel(_label(self.y_name))
             ax.grid(False)
         return ax
+
+    def _record(self) -> Record:
+        axes = {self.y_name: self.y, self.x_name: self.x}
+        results = {s: measured((s,), v, _STARTS.get(s, s)) for s, v in axes.items()}
+        results["fate"] = Column(tuple(axes), self.fate, names=FATES)
+        results["when"] = Column(tuple(axes), self.when, "s", "straightened out after")
+        about = {"x": self.x_name, "y": self.y_name, "station": self.station}
+        criterion = vars(self.criterion)
+        return Record("basin", self.aircraft, tuple(axes), results, about={**about, **criterion})
+
+    @classmethod
+    def _of(cls, record: Record) -> Basin:
+        about = dict(record.about)
+        x, y, station = (about.pop(key) for key in ("x", "y", "station"))
+        return cls(
+            x_name=x,
+            y_name=y,
+            x=record[x],
+            y=record[y],
+            fate=record["fate"].astype(np.int8),
+            when=record["when"],
+            aircraft=record.aircraft,
+            station=station,
+            criterion=Criterion(**about),
+        )
 
     def __repr__(self) -> str:
         counts = np.bincount(self.fate.reshape(-1), minlength=len(FATES)).tolist()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -13,13 +13,18 @@ from .aircraft import Aircraft
 from .arrays import FloatArray
 from .generated.kernels import STATUS
 from .generated.names import QUANTITIES
-from .names import symbol
+from .names import signature, symbol
+from .records import Column, Record, measured, run_dims, time_axis
+from .results import Result
 
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    import pandas
-    import xarray
+#: Arrays by name of an ensemble -> what they are called.
+_NAMED = {
+    "final": "final states",
+    "samples": "samples",
+    "largest": "extremes",
+    "first": "limits",
+}
+_ABOUT = ("tire", "t", "tol", "limits", "within")
 
 
 class Named(Mapping[str, FloatArray]):
@@ -43,8 +48,11 @@ class Named(Mapping[str, FloatArray]):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Ensemble:
+class Ensemble(Result):
     """What became of many trajectories; ``ens["v"]`` is an array over them.
+
+    In tables and files extremes are called ``largest_alpha`` and ``first_alpha``, and with samples
+    over ``t`` the final states ``final_v``.
 
     Attributes
     ----------
@@ -111,23 +119,48 @@ class Ensemble:
         """Samples of a state or output if there are any, its final values otherwise."""
         return (self.samples if self.at.size else self.final)[name]
 
-    def to_xarray(self) -> xarray.Dataset:
-        """All arrays as a Dataset; see `groundloop.tables.ensemble_to_xarray`."""
-        from .tables import ensemble_to_xarray
+    def _record(self) -> Record:
+        runs = run_dims(self.status.shape)
+        final = "final_" if self.at.size else ""
+        results = {
+            "status": Column(runs, self.status, names=STATUS),
+            "steps": Column(runs, self.steps),
+            "estimate": Column(runs, self.estimate),
+            **{f"{final}{s}": measured(runs, v, s) for s, v in self.final.items()},
+            **{f"largest_{s}": measured(runs, v, s) for s, v in self.largest.items()},
+            **{f"first_{s}": Column(runs, v, "s", f"passed {s}") for s, v in self.first.items()},
+        }
+        if self.at.size:
+            results["t"] = time_axis(self.at)
+        results |= {s: measured((*runs, "t"), v, s) for s, v in self.samples.items()}
+        given = {**{f"{s}0": v for s, v in self.start.items()}, **self.inputs}
+        about = {name: getattr(self, name) for name in _ABOUT}
+        return Record("ensemble", self.aircraft, runs, results, given=given, about=about)
 
-        return ensemble_to_xarray(self)
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """One row for each trajectory; see `groundloop.tables.ensemble_to_pandas`."""
-        from .tables import ensemble_to_pandas
-
-        return ensemble_to_pandas(self)
-
-    def save(self, path: str | Path) -> Path:
-        """Write to an npz file with all that went in; `groundloop.load_ensemble` reads it."""
-        from .ensemble_records import save_ensemble
-
-        return save_ensemble(self, path)
+    @classmethod
+    def _of(cls, record: Record) -> Ensemble:
+        results = dict(record.results)
+        plain = {name: results.pop(name).values for name in ("status", "steps", "estimate")}
+        at = results.pop("t", time_axis(np.empty(0))).values
+        found: dict[str, dict[str, FloatArray]] = {name: {} for name in _NAMED}
+        for name, column in results.items():
+            kind, _, s = name.partition("_")
+            if kind not in _NAMED:
+                kind, s = ("samples" if "t" in column.dims else "final"), name
+            found[kind][s] = column.values
+        named: dict[str, Any] = {s: Named(found[s], words) for s, words in _NAMED.items()}
+        inputs = signature(record.about["tire"]).inputs
+        return cls(
+            aircraft=record.aircraft,
+            start={s[:-1]: v for s, v in record.given.items() if s not in inputs},
+            inputs={s: record.given[s] for s in inputs},
+            status=plain["status"].astype(np.int8),
+            steps=plain["steps"].astype(np.int32),
+            estimate=plain["estimate"],
+            at=at,
+            **named,
+            **record.about,
+        )
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{n} {name}" for name, n in self.counts.items())

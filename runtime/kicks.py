@@ -21,6 +21,8 @@ from .evaluate import elementwise
 from .fates import FATES, OUT, ByteArray, Criterion, fates
 from .generated import build
 from .progress import Count, Progress, counted
+from .records import Column, Record, measured, run_dims
+from .results import Result
 
 #: Impulses that are tried before bisection, and in each of its rounds.
 _SCAN, _SECTIONS = 64, 15
@@ -31,8 +33,19 @@ _NEAR, _NONE = 1e-3, 1e-7
 _LARGE_SLIP = math.radians(85)
 
 
+#: Of each result the quantity that it is.
+_QUANTITIES = {
+    "station": "x_S",
+    "impulse": "S",
+    "velocity_change": "dv",
+    "yaw_rate_change": "dr",
+    "island": "S",
+    "decay_rate": "decay_rate",
+}
+
+
 @dataclass(frozen=True, repr=False, eq=False)
-class Survival:
+class Survival(Result):
     """How hard a kick an aircraft survives; every array has the shape of the cases.
 
     Attributes
@@ -68,6 +81,18 @@ class Survival:
 
     #: Names of the values of `fate`.
     FATES = FATES
+
+    def _record(self) -> Record:
+        runs = run_dims(self.impulse.shape)
+        results = {name: measured(runs, getattr(self, name), s) for name, s in _QUANTITIES.items()}
+        results["fate"] = Column(runs, self.fate, names=FATES)
+        return Record("survival", self.aircraft, runs, results, about=vars(self.criterion))
+
+    @classmethod
+    def _of(cls, record: Record) -> Survival:
+        results = {name: record[name] for name in _QUANTITIES}
+        criterion, fate = Criterion(**record.about), record["fate"].astype(np.int8)
+        return cls(record.aircraft, criterion=criterion, fate=fate, **results)
 
     def __repr__(self) -> str:
         c = self.criterion

@@ -13,17 +13,27 @@ from .arrays import FloatArray, finite
 from .errors import GroundloopError
 from .evaluate import columns, elementwise
 from .names import signature
+from .records import Column, Record, measured, run_dims
+from .results import Result
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     import control
     import pandas
-    import xarray
 
     from .sensitivities import Sensitivities
 
 ComplexArray = npt.NDArray[np.complex128]
+
+#: Of what is read from the eigenvalues one number for each point, and of the rest the axes.
+READ_OFF = ("decay_rate", "damping_ratio", "natural_frequency", "damped_frequency")
+_AXES = {
+    "A": ("state_rate", "state"),
+    "B": ("state_rate", "input"),
+    "C": ("output", "state"),
+    "D": ("output", "input"),
+    "drift": ("state_rate",),
+    "eigenvalues": ("mode",),
+}
 
 
 @dataclass(frozen=True)
@@ -46,7 +56,7 @@ class OperatingPoint:
 
 
 @dataclass(frozen=True, repr=False)
-class Linearization:
+class Linearization(Result):
     """x' = drift + A (x - x_op) + B (u - u_op), y = y_op + C (x - x_op) + D (u - u_op).
 
     x = (v, r), u = (disturbance); the names are in `states`, `inputs`, `outputs`. With arrays
@@ -133,26 +143,38 @@ class Linearization:
             self.A, self.B, self.C, self.D, **{kind: list(each) for kind, each in names.items()}
         )
 
-    def to_xarray(self) -> xarray.Dataset:
-        """Matrices and modes as a Dataset; see `groundloop.tables.linearization_to_xarray`."""
-        from .tables import linearization_to_xarray
-
-        return linearization_to_xarray(self)
-
     def to_pandas(self) -> pandas.DataFrame:
-        """Modes as a DataFrame; see `groundloop.tables.linearization_to_pandas`."""
-        from .tables import linearization_to_pandas
+        """See `Result.to_pandas`; the eigenvalues are in columns of their own."""
+        frame = super().to_pandas()
+        for k, values in enumerate(np.moveaxis(self.eigenvalues, -1, 0), start=1):
+            frame[f"eigenvalue_{k}"] = values.ravel()
+        return frame
 
-        return linearization_to_pandas(self)
+    def _record(self) -> Record:
+        runs = run_dims(self.decay_rate.shape)
+        results = {
+            name: Column((*runs, *axes), getattr(self, name)) for name, axes in _AXES.items()
+        }
+        results |= {name: measured(runs, getattr(self, name), name) for name in READ_OFF}
+        labels = {"state": self.states, "state_rate": self.states}
+        labels |= {"input": self.inputs, "output": self.outputs}
+        results |= {axis: Column((axis,), np.array(names)) for axis, names in labels.items()}
+        given = {"v": self.at.v, "r": self.at.r, "F_disturbance": self.at.disturbance}
+        given = {s: np.asarray(value, np.float64) for s, value in given.items()}
+        about = {"tire": self.tire}
+        return Record("linearization", self.aircraft, runs, results, given=given, about=about)
 
-    def save(self, path: str | Path) -> Path:
-        """Write to an npz file; `groundloop.records.load_linearization` reads it."""
-        from .records import save_linearization
-
-        return save_linearization(self, path)
+    @classmethod
+    def _of(cls, record: Record) -> Linearization:
+        at = (value if value.ndim else float(value) for value in record.given.values())
+        parts: dict[str, Any] = {name: record[name] for name in (*_AXES, *READ_OFF)}
+        for axis in ("state", "input", "output"):
+            parts[f"{axis}s"] = tuple(record[axis].tolist())
+        tire = record.about["tire"]
+        return cls(**parts, at=OperatingPoint(*at), aircraft=record.aircraft, tire=tire)
 
     def _repr_html_(self) -> str:
-        from .tables import linearization_to_html
+        from .notebook import linearization_to_html
 
         return linearization_to_html(self)
 

@@ -15,6 +15,8 @@ from .arrays import FloatArray, finite
 from .errors import GroundloopError, unknown
 from .generated.names import MODELS, QUANTITIES
 from .names import symbol
+from .records import Column, Record, measured
+from .results import Result
 from .stability import CLOSED_FORMS, OVER_SPEED, closed_forms
 
 if TYPE_CHECKING:
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, repr=False)
-class StabilityMap:
+class StabilityMap(Result):
     """A quantity of the linear model over two parameters.
 
     Attributes
@@ -155,6 +157,19 @@ class StabilityMap:
             plane = self.aircraft.replace(a=None, b=None, x_cg=self.aircraft[limit])
             ends.append(float(plane[axis]))
         return {axis: (min(ends), max(ends))}
+
+    def _record(self) -> Record:
+        axes = (self.y_name, self.x_name)
+        results = {self.of: measured(axes, self.values, quantity_of(self.of))}
+        results["stable"] = Column(axes, self.stable)
+        about = {"x": self.x_name, "y": self.y_name, "of": self.of}
+        return Record("map", self.aircraft, axes, results, about=about)
+
+    @classmethod
+    def _of(cls, record: Record) -> StabilityMap:
+        x, y, of = (record.about[key] for key in ("x", "y", "of"))
+        along_x, along_y = (record.varied[s].values for s in (x, y))
+        return cls(x, y, along_x, along_y, of, record[of], record.aircraft)
 
     def __repr__(self) -> str:
         share = np.count_nonzero(self.stable) / self.stable.size

@@ -1,7 +1,8 @@
-"""Results on disk: arrays with the parameters and the provenance they came from, as npz.
+"""Results taken apart into named arrays, and on disk: as npz or as NetCDF.
 
-A record is an npz file that NumPy alone can read: arrays by name, and under ``record`` a text in
-JSON that says what they are, of which aircraft, and from which equations.
+A file holds every array by name, and under ``record`` a text in JSON with all the rest: what it is,
+of which aircraft, with the source of each number, and from which equations. NumPy alone can read
+the one; what reads NetCDF finds dimensions, units and meanings in the other.
 """
 
 from __future__ import annotations
@@ -9,51 +10,70 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, field, fields
+from functools import cached_property
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
 
 import numpy as np
+import numpy.typing as npt
 
 from .aircraft import Aircraft, Source
 from .arrays import FloatArray
 from .errors import GroundloopError
 from .files import complete
-from .generated.names import DIGEST
-from .gusts import sampled
-from .linearization import Linearization, OperatingPoint
-from .simulation import Trajectory
+from .generated.names import DIGEST, QUANTITIES
 
 #: Raised when the layout changes.
-_LAYOUT = 1
+_LAYOUT = 2
 _PACKAGES = ("groundloop", "casadi", "numpy")
 
 
 @dataclass(frozen=True)
-class Record:
-    """What a file holds.
+class Column:
+    """An array with the names of its dimensions.
 
     Attributes
     ----------
-    kind : str
-        What was saved, e.g. ``"trajectory"``.
-    arrays : mapping of str to ndarray
-        Its arrays, SI units with radians.
-    about : mapping
-        Its other attributes.
-    aircraft : Aircraft
-        The aircraft it belongs to, with the source of each number.
-    provenance : mapping of str to str
-        ``"equations"``, the digest of the derivation, and the version of each package.
+    dims : tuple of str
+        One for each dimension.
+    values : ndarray
+        SI units with radians.
+    unit, words, meaning : str
+        What it is, for people.
+    names : tuple of str
+        What its numbers stand for if they are indices.
     """
 
-    kind: str
-    arrays: Mapping[str, FloatArray]
-    about: Mapping[str, Any]
-    aircraft: Aircraft
-    provenance: Mapping[str, str]
+    dims: tuple[str, ...]
+    values: npt.NDArray[Any]
+    unit: str = ""
+    words: str = ""
+    meaning: str = ""
+    names: tuple[str, ...] = ()
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """Size of each dimension."""
+        return dict(zip(self.dims, self.values.shape, strict=True))
+
+
+def measured(dims: tuple[str, ...], values: npt.NDArray[Any], symbol: str) -> Column:
+    """An array of a quantity of the model."""
+    q = QUANTITIES[symbol]
+    return Column(dims, values, q.unit, q.name.replace("_", " "), q.meaning)
+
+
+def time_axis(t: FloatArray) -> Column:
+    """Times as an axis of their own."""
+    return Column(("t",), t, "s", "time")
+
+
+def run_dims(shape: tuple[int, ...]) -> tuple[str, ...]:
+    """Names of the dimensions along which aircraft or runs vary."""
+    return ("run",) if len(shape) == 1 else tuple(f"run_{k}" for k in range(len(shape)))
 
 
 def provenance() -> dict[str, str]:
@@ -61,199 +81,177 @@ def provenance() -> dict[str, str]:
     return {"equations": DIGEST, **{name: version(name) for name in _PACKAGES}}
 
 
-def write(
-    path: str | Path,
-    kind: str,
-    arrays: Mapping[str, FloatArray],
-    about: Mapping[str, Any],
-    aircraft: Aircraft,
-) -> Path:
-    """Write a record.
+@dataclass(frozen=True)
+class Record:
+    """What a result consists of.
+
+    Attributes
+    ----------
+    kind : str
+        What it is, e.g. ``"trajectory"``.
+    aircraft : Aircraft
+        The aircraft it belongs to, with the source of each number.
+    runs : tuple of str
+        Dimensions along which aircraft and what is `given` may vary.
+    results : mapping of str to Column
+        Its arrays.
+    per : tuple of str
+        Further dimensions of which a table has a row for each point.
+    given : mapping of str to ndarray
+        What went in beside the aircraft, by symbol or by symbol and zero (``v0``); broadcasts
+        along `runs`.
+    about : mapping
+        Its other attributes, anything that JSON can hold.
+    provenance : mapping of str to str
+        ``"equations"``, the digest of the derivation, and the version of each package.
+    """
+
+    kind: str
+    aircraft: Aircraft
+    runs: tuple[str, ...]
+    results: Mapping[str, Column]
+    per: tuple[str, ...] = ()
+    given: Mapping[str, FloatArray] = field(default_factory=dict)
+    about: Mapping[str, Any] = field(default_factory=dict)
+    provenance: Mapping[str, str] = field(default_factory=provenance)
+
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        return self.results[name].values
+
+    @property
+    def inputs(self) -> dict[str, FloatArray]:
+        """All that went in, by name."""
+        return {**self.aircraft.given, **self.given}
+
+    @cached_property
+    def varied(self) -> dict[str, Column]:
+        """What varies of it, each along the dimensions in which it does."""
+        found = {}
+        for name, value in self.inputs.items():
+            own = self.runs[len(self.runs) - value.ndim :]
+            along = tuple(d for d, n in zip(own, value.shape, strict=True) if n > 1)
+            if along:
+                symbol = name if name in QUANTITIES else name.removesuffix("0")
+                found[name] = measured(along, np.squeeze(value), symbol)
+        return found
+
+
+def write(record: Record, path: str | Path) -> Path:
+    """Write a record; the file appears when it is complete.
 
     Parameters
     ----------
+    record : Record
+        What to keep.
     path : str or Path
-        Where to, ending in ``.npz``; the file appears when it is complete.
-    kind, arrays, about, aircraft
-        As in `Record`; `about` is anything that JSON can hold.
+        Where to, ending in ``.npz`` or ``.nc``.
 
     Raises
     ------
     GroundloopError
-        If the path does not end in ``.npz`` or cannot be written.
+        If the path ends in anything else or cannot be written.
     """
     target = Path(path)
-    if target.suffix != ".npz":
-        raise GroundloopError(f"{target} must end in .npz: records are NumPy archives")
-    words = {f.name: getattr(aircraft, f.name) for f in fields(aircraft)}
-    text = {
-        "layout": _LAYOUT,
-        "kind": kind,
-        "about": dict(about),
-        "aircraft": {key: value for key, value in words.items() if isinstance(value, str)},
-        "sources": {s: asdict(source) for s, source in aircraft.sources.items()},
-        "provenance": provenance(),
-    }
-    given = {f"given/{s}": value for s, value in aircraft.given.items()}
-    members = {**{f"arrays/{name}": value for name, value in arrays.items()}, **given}
-    with complete(target) as draft, draft.open("wb") as file:
-        np.savez_compressed(file, record=np.array(json.dumps(text, indent=1)), **members)  # type: ignore[arg-type]
+    store, _ = _format(target)
+    with complete(target) as draft:
+        store(draft, record, _text(record))
     return target
 
 
-def read(path: str | Path, kind: str, *, other_equations: bool = False) -> Record:
-    """Read a record and check that it is whole and what is asked for.
+def read(path: str | Path, *, other_equations: bool = False) -> Record:
+    """Read a record and check that it is whole.
 
     Parameters
     ----------
     path : str or Path
         The file.
-    kind : str
-        What it must hold.
     other_equations : bool
         Whether to accept results of other equations than those that are installed.
 
     Raises
     ------
     GroundloopError
-        If the file cannot be read, is damaged or no record, holds something else, or comes from
-        other equations.
+        If the file cannot be read, is damaged or no record, or comes from other equations.
     """
+    _, fetch = _format(Path(path))
+    if not Path(path).is_file():
+        raise GroundloopError(f"cannot read {path}: there is no such file")
     try:
-        with Path(path).open("rb") as file, np.load(file, allow_pickle=False) as archive:
-            if archive.zip.testzip() is not None:  # reading an array doesn't look at checksums
-                raise BadZipFile
-            members = {name: archive[name] for name in archive.files}
-        text = json.loads(str(members.pop("record")))
-    except FileNotFoundError as problem:
-        raise GroundloopError(f"cannot read {path}: {problem.strerror}") from problem
-    except (OSError, ValueError, KeyError, AttributeError, BadZipFile, zlib.error) as problem:
+        text, arrays = fetch(Path(path))
+        about = json.loads(text)
+        layout = about["layout"]
+    except (OSError, ValueError, LookupError, AttributeError, BadZipFile, zlib.error) as problem:
         raise GroundloopError(f"{path} is no record of groundloop, or is damaged") from problem
-    if text["layout"] != _LAYOUT or text["kind"] != kind:
-        raise GroundloopError(
-            f"{path} holds a {text['kind']} in layout {text['layout']}; this reads a {kind} in"
-            f" layout {_LAYOUT}"
-        )
-    equations = text["provenance"]["equations"]
+    if layout != _LAYOUT:
+        raise GroundloopError(f"{path} has the layout {layout}; this reads the layout {_LAYOUT}")
+    equations = about["provenance"]["equations"]
     if equations != DIGEST and not other_equations:
         raise GroundloopError(
             f"{path} was computed from other equations (digest {equations}, groundloop"
-            f" {text['provenance']['groundloop']}) than those installed ({DIGEST}); compute it"
+            f" {about['provenance']['groundloop']}) than those installed ({DIGEST}); compute it"
             " again, or accept it with other_equations=True"
         )
-    aircraft = Aircraft(
-        given=under("given/", members),
-        sources={s: Source(**source) for s, source in text["sources"].items()},
-        **text["aircraft"],
-    )
-    return Record(kind, under("arrays/", members), text["about"], aircraft, text["provenance"])
+    return _put_together(about, arrays)
 
 
-def save_run(run: Trajectory, path: str | Path) -> Path:
-    """Write a run with its aircraft and provenance; `load_run` reads it.
+def _format(path: Path) -> Any:
+    """How to write and how to read a file, by its suffix."""
+    if path.suffix == ".npz":
+        return _write_npz, _read_npz
+    if path.suffix == ".nc":
+        from . import netcdf
 
-    Parameters
-    ----------
-    run : Trajectory
-        What to keep.
-    path : str or Path
-        Where to, ending in ``.npz``.
-    """
+        return netcdf.write, netcdf.read
+    raise GroundloopError(f"{path} must end in .npz or in .nc (NetCDF): results are kept in these")
+
+
+def _text(record: Record) -> str:
+    """All but the arrays, as JSON."""
+    plane, inputs = record.aircraft, record.inputs
+    words = {f.name: getattr(plane, f.name) for f in fields(plane)}
     about = {
-        "tire": run.tire,
-        "values": list(run.values),
-        "gust": run.gust
-        and {
-            "label": run.gust.label,
-            "breaks": run.gust.breaks,
-            "ended": bool((run.gust.end <= run.t[-1]).all()),
-        },
+        "layout": _LAYOUT,
+        "kind": record.kind,
+        "runs": record.runs,
+        "per": record.per,
+        "results": {name: column.dims for name, column in record.results.items()},
+        "varied": {name: inputs[name].shape for name in record.varied},
+        "fixed": {s: value.tolist() for s, value in inputs.items() if s not in record.varied},
+        "given": list(record.given),
+        "about": dict(record.about),
+        "aircraft": {key: value for key, value in words.items() if isinstance(value, str)},
+        "sources": {s: asdict(source) for s, source in plane.sources.items()},
+        "provenance": dict(record.provenance),
     }
-    arrays = {"t": run.t, "disturbance": run.disturbance, **run.values}
-    return write(path, "trajectory", arrays, about, run.aircraft)
+    return json.dumps(about, indent=1)
 
 
-def load_run(path: str | Path, *, other_equations: bool = False) -> Trajectory:
-    """Read a run that `Trajectory.save` wrote.
-
-    A disturbance that varied over time comes back as its samples.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-    other_equations : bool
-        Whether to accept a run of other equations than those that are installed.
-
-    Returns
-    -------
-    Trajectory
-
-    Raises
-    ------
-    GroundloopError
-        If the file is no such run, is damaged, or comes from other equations.
-    """
-    record = read(path, "trajectory", other_equations=other_equations)
-    arrays, about = record.arrays, record.about
-    values = {name: arrays[name] for name in about["values"]}
-    t, disturbance, gust = arrays["t"], arrays["disturbance"], about["gust"]
-    if any(series.shape[-1:] != t.shape for series in values.values()):
-        raise GroundloopError(f"{path} is damaged: its series differ in length")
-    if gust is not None:
-        lines = sampled(t, disturbance)
-        end = lines.end if gust["ended"] else np.asarray(np.inf)
-        gust = replace(lines, label=f"{gust['label']} (its samples)", end=end)
-    return Trajectory(t, values, record.aircraft, about["tire"], disturbance, gust)
+def _put_together(about: Mapping[str, Any], arrays: Mapping[str, npt.NDArray[Any]]) -> Record:
+    inputs = {s: np.asarray(value, np.float64) for s, value in about["fixed"].items()}
+    inputs |= {s: arrays[s].reshape(shape) for s, shape in about["varied"].items()}
+    given = {s: inputs.pop(s) for s in about["given"]}
+    sources = {s: Source(**source) for s, source in about["sources"].items()}
+    return Record(
+        kind=about["kind"],
+        aircraft=Aircraft(given=inputs, sources=sources, **about["aircraft"]),
+        runs=tuple(about["runs"]),
+        results={s: Column(tuple(dims), arrays[s]) for s, dims in about["results"].items()},
+        per=tuple(about["per"]),
+        given=given,
+        about=about["about"],
+        provenance=about["provenance"],
+    )
 
 
-def save_linearization(lin: Linearization, path: str | Path) -> Path:
-    """Write a linearization with its aircraft and provenance; `load_linearization` reads it.
-
-    Parameters
-    ----------
-    lin : Linearization
-        What to keep.
-    path : str or Path
-        Where to, ending in ``.npz``.
-    """
-    values = {f.name: getattr(lin, f.name) for f in fields(lin)}
-    arrays = {name: value for name, value in values.items() if isinstance(value, np.ndarray)}
-    at = {f"at.{f.name}": np.asarray(getattr(lin.at, f.name)) for f in fields(lin.at)}
-    about = {key: value for key, value in values.items() if isinstance(value, (str, tuple))}
-    return write(path, "linearization", {**arrays, **at}, about, lin.aircraft)
+def _write_npz(path: Path, record: Record, text: str) -> None:
+    arrays = {name: c.values for name, c in {**record.varied, **record.results}.items()}
+    with path.open("wb") as file:
+        np.savez_compressed(file, record=np.array(text), **arrays)  # type: ignore[arg-type]
 
 
-def load_linearization(path: str | Path, *, other_equations: bool = False) -> Linearization:
-    """Read a linearization that `save_linearization` wrote.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-    other_equations : bool
-        Whether to accept one of other equations than those that are installed.
-
-    Raises
-    ------
-    GroundloopError
-        If the file is no such thing, is damaged, or comes from other equations.
-    """
-    record = read(path, "linearization", other_equations=other_equations)
-    values: dict[str, Any] = {
-        name: tuple(value) if isinstance(value, list) else value
-        for name, value in [*record.arrays.items(), *record.about.items()]
-        if not name.startswith("at.")
-    }
-    arrays = under("at.", record.arrays)
-    at = {name: array if array.ndim else float(array) for name, array in arrays.items()}
-    return Linearization(**values, at=OperatingPoint(**at), aircraft=record.aircraft)
-
-
-def under(prefix: str, members: Mapping[str, Any]) -> dict[str, Any]:
-    """The members whose names begin with a prefix, without it."""
-    return {
-        name.removeprefix(prefix): value
-        for name, value in members.items()
-        if name.startswith(prefix)
-    }
+def _read_npz(path: Path) -> tuple[str, dict[str, npt.NDArray[Any]]]:
+    with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
+        if archive.zip.testzip() is not None:  # reading an array doesn't look at checksums
+            raise BadZipFile
+        arrays = {name: archive[name] for name in archive.files}
+    return str(arrays.pop("record")), arrays

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -14,22 +14,20 @@ from .arrays import FloatArray, finite
 from .errors import GroundloopError, unknown
 from .evaluate import columns
 from .generated.names import QUANTITIES
-from .gusts import Gust, as_gust
+from .gusts import Gust, as_gust, sampled
 from .integration import integrate, integrate_varying
 from .names import signature, symbol
+from .records import Record, measured, run_dims, time_axis
+from .results import Result
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    import pandas
-    import xarray
     from matplotlib.axes import Axes
 
     from .metrics import Metrics
 
 
 @dataclass(frozen=True, repr=False)
-class Trajectory:
+class Trajectory(Result):
     """A simulated ground roll; ``run["v"]`` or ``run["lateral_velocity"]`` is an array over time.
 
     Attributes
@@ -79,26 +77,32 @@ class Trajectory:
 
         return time_history(self, names, ax)
 
-    def to_xarray(self) -> xarray.Dataset:
-        """States, outputs and input as a Dataset; see `groundloop.tables.run_to_xarray`."""
-        from .tables import run_to_xarray
+    def _record(self) -> Record:
+        runs = run_dims(self["v"].shape[:-1])
+        series = {s: measured((*runs, "t"), values, s) for s, values in self.values.items()}
+        about: dict[str, Any] = {"tire": self.tire, "disturbance": "constant"}
+        if self.gust is not None:
+            ended = bool((self.gust.end <= self.t[-1]).all())
+            about |= {"disturbance": self.gust.label, "ended": ended}
+        results = {"t": time_axis(self.t), **series}
+        return Record("trajectory", self.aircraft, runs, results, per=("t",), about=about)
 
-        return run_to_xarray(self)
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """States, outputs and input as a DataFrame; see `groundloop.tables.run_to_pandas`."""
-        from .tables import run_to_pandas
-
-        return run_to_pandas(self)
-
-    def save(self, path: str | Path) -> Path:
-        """Write to an npz file with parameters and provenance; `groundloop.load_run` reads it."""
-        from .records import save_run
-
-        return save_run(self, path)
+    @classmethod
+    def _of(cls, record: Record) -> Trajectory:
+        """As it was; a disturbance that varied over time comes back as its samples."""
+        t, about = record["t"], record.about
+        values = {s: record[s] for s in record.results if s != "t"}
+        (force,) = (values[s] for s in signature(about["tire"]).inputs)
+        plane, tire = record.aircraft, about["tire"]
+        if "ended" not in about:
+            return cls(t, values, plane, tire, force[..., 0])
+        lines = sampled(t, force)
+        end = lines.end if about["ended"] else np.asarray(np.inf)
+        gust = replace(lines, label=f"{about['disturbance']} (its samples)", end=end)
+        return cls(t, values, plane, tire, force, gust)
 
     def _repr_html_(self) -> str:
-        from .tables import run_to_html
+        from .notebook import run_to_html
 
         return run_to_html(self)
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,12 +16,9 @@ from .chunks import check_memory, thread_count
 from .errors import GroundloopError, unknown
 from .evaluate import names_of, sweep_into
 from .linearization import ComplexArray
+from .records import Record, measured, run_dims
+from .results import Result
 from .stability import CLOSED_FORMS, OVER_SPEED
-
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    import xarray
 
 #: Name of a result -> generated function, its result.
 SWEPT = {
@@ -36,7 +33,7 @@ _MODES = ("re_1", "im_1", "re_2", "im_2", "damping_ratio", "natural_frequency")
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Sweep(Mapping[str, FloatArray]):
+class Sweep(Result, Mapping[str, FloatArray]):
     """Results by name, each of the shape of the points; ``sweep["decay_rate"]``.
 
     Attributes
@@ -61,17 +58,14 @@ class Sweep(Mapping[str, FloatArray]):
     def __len__(self) -> int:
         return len(self.arrays)
 
-    def to_xarray(self) -> xarray.Dataset:
-        """All arrays as a Dataset; see `groundloop.tables.sweep_to_xarray`."""
-        from .tables import sweep_to_xarray
+    def _record(self) -> Record:
+        runs = run_dims(next(iter(self.arrays.values())).shape)
+        results = {name: measured(runs, v, SWEPT[name][1]) for name, v in self.arrays.items()}
+        return Record("sweep", self.aircraft, runs, results)
 
-        return sweep_to_xarray(self)
-
-    def save(self, path: str | Path) -> Path:
-        """Write to an npz file with the aircraft; `groundloop.load_sweep` reads it."""
-        from .ensemble_records import save_sweep
-
-        return save_sweep(self, path)
+    @classmethod
+    def _of(cls, record: Record) -> Sweep:
+        return cls(record.aircraft, {name: record[name] for name in record.results})
 
     @property
     def eigenvalues(self) -> ComplexArray:

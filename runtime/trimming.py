@@ -16,6 +16,8 @@ from .errors import GroundloopError
 from .evaluate import columns, elementwise
 from .linearization import OperatingPoint, modes_of
 from .names import signature, symbol
+from .records import Column, Record, measured, run_dims
+from .results import Result
 
 BoolArray = npt.NDArray[np.bool_]
 
@@ -32,7 +34,7 @@ _FLAT = 1e-12
 
 
 @dataclass(frozen=True, repr=False)
-class Trim:
+class Trim(Result):
     """The steady turns of an aircraft; ``trim["v"]`` or ``trim["alpha"]`` holds all branches.
 
     Attributes
@@ -86,6 +88,26 @@ class Trim:
         force = float(self.disturbance)
         pairs = zip(self["v"], self["r"], strict=True)
         return tuple(OperatingPoint(float(v), float(r), force) for v, r in pairs)
+
+    def _record(self) -> Record:
+        runs, per = run_dims(self.count.shape), ("branch",)
+        results = {s: measured((*runs, *per), values, s) for s, values in self.values.items()}
+        results["decay_rate"] = measured((*runs, *per), self.decay_rate, "decay_rate")
+        results["stable"] = Column((*runs, *per), self.stable)
+        results |= {name: Column(runs, getattr(self, name)) for name in ("count", "singular")}
+        given = {"F_disturbance": self.disturbance}
+        about = {"tire": self.tire, "slip": self.slip}
+        return Record("trim", self.aircraft, runs, results, per, given, about)
+
+    @classmethod
+    def _of(cls, record: Record) -> Trim:
+        results: dict[str, Any] = {s: column.values for s, column in record.results.items()}
+        own = {name: results.pop(name) for name in ("stable", "decay_rate", "singular")}
+        count = results.pop("count").astype(np.int64)
+        (force,) = record.given.values()
+        return cls(
+            results, count=count, aircraft=record.aircraft, disturbance=force, **own, **record.about
+        )
 
     def __repr__(self) -> str:
         head = f"Trim of {self.aircraft.name!r}, {self.tire} tire"

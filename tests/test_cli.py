@@ -20,9 +20,10 @@ from click.testing import CliRunner
 import groundloop as gl
 from groundloop import cli
 from groundloop.aircraft import packaged, parameter_symbols
-from groundloop.generated import MODELS, QUANTITIES
+from groundloop.generated import DIGEST, MODELS, QUANTITIES
 from groundloop.template import template
 
+KEEPING = ["simulate", "linearize", "trim", "map", "ensemble", "survival"]
 FORMATS = [name for name in cli.COMMANDS if name not in {"new", "place", "study"}]
 
 
@@ -129,6 +130,39 @@ def test_a_result_goes_to_a_file_if_wanted(run, name: str, tmp_path: Path):
     assert to_file.out == ""
     assert "wrote result.csv" in to_file.err
     assert (tmp_path / "result.csv").read_text(encoding="utf-8") == to_stdout.out
+
+
+def test_the_suffix_of_a_file_says_its_format(run, tmp_path: Path):
+    words = ("map", "brott", "--x", "speed=10:40:3", "--y", "a=-1:1:2")
+    for form in ("csv", "json"):
+        out = run(*words, "--format", form).out
+        assert run(*words, "--out", f"map.{form}").out == ""
+        assert (tmp_path / f"map.{form}").read_text(encoding="utf-8") == out
+    run(*words, "--out", "map.txt", "--no-plot")
+    assert (tmp_path / "map.txt").read_text(encoding="utf-8") == run(*words, "--no-plot").out
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+@pytest.mark.parametrize("name", KEEPING)
+def test_a_result_is_kept_with_all_that_went_in(run, name: str, suffix: str, tmp_path: Path):
+    result = run(*_bare(name), "--out", f"kept{suffix}")
+    assert (result.code, result.out, result.err) == (0, "", f"wrote kept{suffix}\n")
+    assert [path.name for path in tmp_path.iterdir()] == [f"kept{suffix}"]
+    kept = gl.Result.load(f"kept{suffix}")
+    assert run("info", f"kept{suffix}").out.startswith(repr(kept))
+    found = json.loads(run("info", f"kept{suffix}", "--format", "json").out)
+    assert found["aircraft"] == kept.aircraft.name
+    assert found["inputs"]["m"] == float(kept.aircraft["m"])
+    assert found["provenance"]["equations"] == DIGEST
+    assert found["arrays"].keys() >= {str(name) for name in kept.to_xarray()}
+
+
+def test_info_says_if_other_equations_made_a_file(run, monkeypatch: pytest.MonkeyPatch):
+    run("linearize", "brott", "--out", "lin.npz")
+    monkeypatch.setattr("groundloop.generated.names.DIGEST", "0123456789abcdef")
+    assert (
+        f"equations {DIGEST}, not those installed, 0123456789abcdef" in run("info", "lin.npz").out
+    )
 
 
 def _bare(name: str) -> list[str]:
@@ -532,6 +566,11 @@ def test_a_new_file_can_begin_as_a_copy_and_is_not_overwritten(run, tmp_path: Pa
         (["simulate", "brott", "--v0", "0.1", "--show", "vv"], 1, "'vv'"),
         (["simulate", "brott", "--v0", "0.1", "--out", "no/where.csv"], 1, "cannot write"),
         (["fit-tire", "none.csv"], 1, "cannot read none.csv"),
+        (["check", "brott", "--out", "x.npz"], 2, "this command keeps no result"),
+        (["trim", "brott", "--out", "x.nc", "--format", "csv"], 2, "--format csv does not go"),
+        (["ensemble", "brott", "--v0", "0:9:999999", "--out", "no/x.npz"], 1, "there is no folder"),
+        (["info", "none.npz"], 1, "cannot read none.npz"),
+        (["info", "none.toml"], 1, "must end in .npz or in .nc"),
     ],
 )
 def test_what_goes_wrong_has_a_code_and_a_message_on_stderr(

@@ -286,10 +286,10 @@ def test_metrics_are_told_with_their_units() -> None:
 def test_a_run_from_disk_has_its_metrics(tmp_path: Path) -> None:
     gust = gusts.one_minus_cosine(100.0, 0.2, 0.5)
     run = gl.simulate(PLANE, disturbance=gust, t=1.0)
-    back = gl.load_run(run.save(tmp_path / "run.npz")).metrics("theta")
+    back = gl.Trajectory.load(run.save(tmp_path / "run.npz")).metrics("theta")
     for word in WORDS:
         assert getattr(back, word) == pytest.approx(getattr(run.metrics("theta"), word), abs=1e-4)
-    cut = gl.load_run(gl.simulate(PLANE, disturbance=gust, t=0.5).save(tmp_path / "cut.npz"))
+    cut = gl.Trajectory.load(gl.simulate(PLANE, disturbance=gust, t=0.5).save(tmp_path / "cut.npz"))
     with pytest.raises(gl.GroundloopError, match="no end that is known"):
         cut.metrics()
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 import importlib
 import json
 import zipfile
+from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -13,13 +17,14 @@ import pytest
 import xarray as xr
 
 import groundloop as gl
-from groundloop import records, tables
+from groundloop import notebook, records
 from groundloop.generated.names import DIGEST
+from groundloop.results import KINDS
 
 
 @pytest.fixture(scope="module")
 def plane() -> gl.Aircraft:
-    return gl.Aircraft.load("brott-physical")
+    return PLANE
 
 
 @pytest.fixture(scope="module")
@@ -33,115 +38,185 @@ def many(plane: gl.Aircraft) -> gl.Trajectory:
     return gl.simulate(varied, "linear", v0=0.1, t=1.0, samples=11)
 
 
-def test_a_run_comes_back_as_it_was(many: gl.Trajectory, tmp_path: Path) -> None:
-    path = many.save(tmp_path / "run.npz")
-    back = gl.load_run(path)
-    assert back.tire == "linear"
-    assert list(back.values) == list(many.values)
-    for name in many.values:
-        assert np.array_equal(back[name], many[name])
-    assert np.array_equal(back.t, many.t)
-    assert back.aircraft.given.keys() == many.aircraft.given.keys()
-    assert all(np.array_equal(back.aircraft[s], many.aircraft[s]) for s in many.aircraft)
-    assert back.aircraft.sources == many.aircraft.sources
-    assert repr(back.aircraft) == repr(many.aircraft)
-    assert back.metrics().displacement == pytest.approx(many.metrics().displacement, abs=0)
-    assert [p.name for p in tmp_path.iterdir()] == ["run.npz"]
+PLANE = gl.Aircraft.load("brott-physical")
+SPEEDS, ARMS = np.array([[20.0], [30.0]]), np.array([0.2, 0.4, 0.6])
+SEVERAL = PLANE.replace(a=ARMS, speed=SPEEDS)
+SAMPLED = {"at": [0.5, 1.0], "extremes": ["F_main"], "limits": {"psi": 0.01}}
+POINTS = gl.OperatingPoint(v=np.array([0.1, 0.2, 0.3]))
+
+#: One of each kind, and some that differ in what varies.
+MADE: dict[str, Callable[[], gl.Result]] = {
+    "run": lambda: gl.simulate(PLANE, v0=0.1, disturbance=30.0, t=1.0, samples=11),
+    "runs": lambda: gl.simulate(SEVERAL, "linear", v0=0.1, disturbance=SPEEDS + ARMS, t=1.0),
+    "point": lambda: gl.linearize(PLANE, at=gl.OperatingPoint(v=0.3)),
+    "points": lambda: gl.linearize(SEVERAL, at=POINTS, disturbance=20.0),
+    "ensemble": lambda: gl.ensemble(SEVERAL, t=1.0, v0=0.2, within={"psi": 1e-3}),
+    "samples": lambda: gl.ensemble(PLANE, t=1.0, v0=SPEEDS / 50, psi0=ARMS / 50, **SAMPLED),
+    "trajectory": lambda: gl.ensemble(PLANE, t=1.0, r0=0.1),
+    "sweep": lambda: gl.sweep(SEVERAL, ["decay_rate", "lower_critical_speed"]),
+    "map": lambda: gl.stability_map(PLANE, ("u", SPEEDS[:, 0]), ("a", ARMS), "static_margin"),
+    "survival": lambda: gl.survival(SEVERAL, half_width=7.0),
+    "threshold": lambda: gl.survival(PLANE, station=-3.0),
+    "basin": lambda: gl.basin(PLANE, ("u", SPEEDS[:, 0]), ("impulse", [0, 9e3]), station=-3.0),
+    "starts": lambda: gl.basin(PLANE, ("v0", [0.0, 5.0, 9.0]), ("r0", [0.0, 0.5])),
+    "trim": lambda: gl.trim(PLANE, disturbance=300.0),
+    "trims": lambda: gl.trim(SEVERAL, "linear", disturbance=SPEEDS),
+    "no equilibrium": lambda: gl.trim(PLANE, disturbance=9e4),
+}
 
 
-def test_a_linearization_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path) -> None:
-    lin = gl.linearize(plane.replace(a=np.array([0.2, 0.6])), at=gl.OperatingPoint(v=0.3))
-    back = records.load_linearization(lin.save(tmp_path / "lin.npz"))
-    assert np.array_equal(back.A, lin.A)
-    assert np.array_equal(back.eigenvalues, lin.eigenvalues)
-    assert back.outputs == lin.outputs
-    assert back.at.v == lin.at.v
-    assert repr(back) == repr(lin)
-    with pytest.raises(gl.GroundloopError, match="holds a linearization"):
-        gl.load_run(tmp_path / "lin.npz")
+@cache
+def kept(name: str) -> Any:
+    return MADE[name]()
 
 
-def test_an_ensemble_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path) -> None:
-    many = gl.ensemble(
-        plane, t=1.0, at=[0.5, 1.0], a=np.linspace(0.2, 0.6, 3), v0=0.2, extremes=["alpha"]
-    )
-    back = gl.load_ensemble(many.save(tmp_path / "ensemble.npz"))
-    assert repr(back) == repr(many)
-    assert np.array_equal(back["v"], many["v"])
-    assert np.array_equal(back.largest["alpha"], many.largest["alpha"])
-    assert back.status.dtype == many.status.dtype
-    assert back.start["v"] == 0.2
-    assert np.array_equal(back.aircraft["a"], many.aircraft["a"])
+def assert_same(found: Any, expected: Any) -> None:
+    """Equal to the bit, of the same type and shape, whatever it is made of."""
+    if dataclasses.is_dataclass(expected) and not callable(getattr(expected, "force", None)):
+        for one in dataclasses.fields(expected):
+            assert_same(getattr(found, one.name), getattr(expected, one.name))
+    elif isinstance(expected, Mapping):
+        assert set(found) == set(expected)
+        for key, value in expected.items():
+            assert_same(found[key], value)
+    elif isinstance(expected, np.ndarray | np.generic):
+        assert (found.dtype, found.shape) == (expected.dtype, expected.shape)
+        assert found.tobytes() == expected.tobytes()
+    else:
+        assert type(found) is type(expected)
+        assert found == expected
 
 
-def test_a_sweep_comes_back_as_it_was(plane: gl.Aircraft, tmp_path: Path) -> None:
-    points = gl.sweep(plane, ["decay_rate"], speed=np.linspace(10.0, 40.0, 5))
-    back = gl.load_sweep(points.save(tmp_path / "sweep.npz"))
-    assert np.array_equal(back["decay_rate"], points["decay_rate"])
-    assert np.array_equal(back.aircraft["speed"], points.aircraft["speed"])
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+@pytest.mark.parametrize("name", MADE)
+def test_what_is_kept_comes_back_as_it_was(name: str, suffix: str, tmp_path: Path) -> None:
+    result = kept(name)
+    path = result.save(tmp_path / f"kept{suffix}")
+    back = type(result).load(path)
+    assert_same(back, result)
+    assert repr(back) == repr(result)
+    assert list(back.to_xarray()) == list(result.to_xarray())
+    assert [p.name for p in tmp_path.iterdir()] == [path.name]
+    assert_same(gl.Result.load(path), result)
 
 
-def test_a_gust_comes_back_as_its_samples(plane: gl.Aircraft, tmp_path: Path) -> None:
+def test_every_kind_of_result_can_be_kept() -> None:
+    made = {type(kept(name)).__name__ for name in MADE}
+    assert made == {name for _, name in KINDS.values()}
+    assert made == {kind.__name__ for kind in gl.Result.__subclasses__()}
+
+
+def test_what_comes_back_works(tmp_path: Path) -> None:
+    points, chart = kept("points"), kept("map")
+    again = gl.Linearization.load(points.save(tmp_path / "points.nc"))
+    assert np.array_equal(again[1, 2].A, points.A[1, 2])
+    map_again = gl.StabilityMap.load(chart.save(tmp_path / "map.npz"))
+    assert np.array_equal(map_again.boundary["trace"], chart.boundary["trace"])
+    assert map_again.fits(kept("run").aircraft.replace(a=0.3, speed=20.0))
+
+
+def test_another_kind_is_named(tmp_path: Path) -> None:
+    path = kept("point").save(tmp_path / "lin.npz")
+    with pytest.raises(gl.GroundloopError, match="holds a Linearization, not a Trajectory"):
+        gl.Trajectory.load(path)
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+def test_a_gust_comes_back_as_its_samples(plane: gl.Aircraft, suffix: str, tmp_path: Path) -> None:
     gust = gl.gusts.one_minus_cosine(100.0, 0.2, 0.5)
     run = gl.simulate(plane, disturbance=gust, t=1.0)
-    back = gl.load_run(run.save(tmp_path / "gust.npz"))
+    back = gl.Trajectory.load(run.save(tmp_path / f"gust{suffix}"))
     assert back.gust is not None
     assert back.gust.label == f"{gust.label} (its samples)"
     assert back.gust(run.t) == pytest.approx(gust(run.t), abs=1e-12)
+    assert np.array_equal(back.disturbance, run.disturbance)
+    assert back.metrics().peak == pytest.approx(run.metrics().peak, rel=1e-3)
 
 
-def test_a_record_says_where_it_comes_from(run: gl.Trajectory, tmp_path: Path) -> None:
-    record = records.read(run.save(tmp_path / "run.npz"), "trajectory")
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+def test_a_record_says_where_it_comes_from(run: gl.Trajectory, suffix: str, tmp_path: Path) -> None:
+    record = records.read(run.save(tmp_path / f"run{suffix}"))
     assert record.provenance["equations"] == DIGEST
     assert {"groundloop", "casadi", "numpy"} < record.provenance.keys()
-    with np.load(tmp_path / "run.npz") as plain:
-        assert plain["arrays/v"].shape == (11,)
+    assert record.aircraft.sources == run.aircraft.sources
+
+
+def test_others_can_read_the_files(run: gl.Trajectory, tmp_path: Path) -> None:
+    with np.load(run.save(tmp_path / "run.npz")) as plain:
+        assert np.array_equal(plain["v"], run["v"])
         assert json.loads(str(plain["record"]))["aircraft"]["name"] == "brott-physical"
+    with xr.open_dataset(run.save(tmp_path / "run.nc")) as data:
+        assert np.array_equal(data["v"], run["v"])
+        assert data["v"].attrs["units"] == "m/s"
+        assert data["t"].attrs["units"] == "s"
+        assert data.attrs["equations"] == DIGEST
 
 
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
 def test_a_run_of_other_equations_is_refused(
+    run: gl.Trajectory, suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = run.save(tmp_path / f"run{suffix}")
+    monkeypatch.setattr(records, "DIGEST", "0123456789abcdef")
+    with pytest.raises(gl.GroundloopError, match=rf"other equations .digest {DIGEST}.*0123"):
+        gl.Trajectory.load(path)
+    assert gl.Trajectory.load(path, other_equations=True)["v"][0] == run["v"][0]
+
+
+def test_a_record_of_another_layout_is_refused(
     run: gl.Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = run.save(tmp_path / "run.npz")
-    monkeypatch.setattr(records, "DIGEST", "0123456789abcdef")
-    with pytest.raises(gl.GroundloopError, match=rf"other equations .digest {DIGEST}.*0123"):
-        gl.load_run(path)
-    assert gl.load_run(path, other_equations=True)["v"][0] == run["v"][0]
+    monkeypatch.setattr(records, "_LAYOUT", 99)
+    with pytest.raises(gl.GroundloopError, match="has the layout 2; this reads the layout 99"):
+        gl.Trajectory.load(path)
 
 
-def test_files_that_are_no_record_are_refused(run: gl.Trajectory, tmp_path: Path) -> None:
-    good = run.save(tmp_path / "run.npz").read_bytes()
-    half, noise, plain = (tmp_path / f"{name}.npz" for name in ("half", "noise", "plain"))
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+def test_files_that_are_no_record_are_refused(
+    run: gl.Trajectory, suffix: str, tmp_path: Path
+) -> None:
+    good = run.save(tmp_path / f"run{suffix}").read_bytes()
+    half, noise, plain = (tmp_path / f"{name}{suffix}" for name in ("half", "noise", "plain"))
     half.write_bytes(good[: len(good) // 2])
     noise.write_bytes(b"not an archive")
-    np.savez(plain, x=np.zeros(3))
+    if suffix == ".npz":
+        np.savez(plain, x=np.zeros(3))
+    else:
+        xr.Dataset({"x": ("t", np.zeros(3))}).to_netcdf(plain)
     for path in (half, noise, plain):
         with pytest.raises(gl.GroundloopError, match="no record of groundloop, or is damaged"):
-            gl.load_run(path)
+            gl.Trajectory.load(path)
     with pytest.raises(gl.GroundloopError, match="cannot read"):
-        gl.load_run(tmp_path / "nowhere.npz")
-    with pytest.raises(gl.GroundloopError, match=r"holds a trajectory.*this reads a map"):
-        records.read(tmp_path / "run.npz", "map")
+        gl.Trajectory.load(tmp_path / f"nowhere{suffix}")
 
 
-def test_a_flipped_bit_is_noticed(run: gl.Trajectory, tmp_path: Path) -> None:
-    path = run.save(tmp_path / "run.npz")
-    with zipfile.ZipFile(path) as archive:
-        member = archive.getinfo("arrays/v.npy")
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+def test_a_flipped_bit_is_noticed(run: gl.Trajectory, suffix: str, tmp_path: Path) -> None:
+    path = run.save(tmp_path / f"run{suffix}")
     good = path.read_bytes()
-    for offset in range(5, member.compress_size - 4, 7):
+    if suffix == ".npz":
+        with zipfile.ZipFile(path) as archive:
+            member = archive.getinfo("v.npy")
+        first = member.header_offset + 30 + len(member.filename) + 20 + 5
+        places = range(first, first + member.compress_size - 9, 7)
+    else:
+        first = good.index(run["v"].astype(">f8").tobytes())
+        places = range(first, first + 8 * run["v"].size, 7)
+    for place in places:
         data = bytearray(good)
-        data[member.header_offset + 30 + len(member.filename) + 20 + offset] ^= 1
+        data[place] ^= 1
         path.write_bytes(data)
         with pytest.raises(gl.GroundloopError, match="damaged"):
-            gl.load_run(path)
+            gl.Trajectory.load(path)
 
 
 def test_where_a_record_cannot_go(run: gl.Trajectory, tmp_path: Path) -> None:
-    with pytest.raises(gl.GroundloopError, match=r"must end in \.npz"):
-        run.save(tmp_path / "run.nc")
-    with pytest.raises(gl.GroundloopError, match="cannot write"):
-        run.save(tmp_path / "nowhere" / "run.npz")
+    with pytest.raises(gl.GroundloopError, match=r"must end in \.npz or in \.nc"):
+        run.save(tmp_path / "run.csv")
+    for suffix in (".npz", ".nc"):
+        with pytest.raises(gl.GroundloopError, match="cannot write"):
+            run.save(tmp_path / "nowhere" / f"run{suffix}")
 
 
 def test_a_run_in_xarray(many: gl.Trajectory) -> None:
@@ -189,14 +264,45 @@ def test_an_ensemble_and_a_sweep_in_tables(plane: gl.Aircraft) -> None:
     assert np.array_equal(data["v"], many["v"])
     assert np.array_equal(data["largest_alpha"], many.largest["alpha"])
     assert np.array_equal(data["a"], [0.2, 0.6])
-    assert np.array_equal(data["v0"][0], kicks)
+    assert np.array_equal(data["v0"], kicks)
     frame = many.to_pandas()
     assert len(frame) == 6
     assert np.array_equal(frame["final_v"], many.final["v"].ravel())
     points = gl.sweep(plane, ["decay_rate"], speed=np.linspace(10.0, 40.0, 5))
+    assert points.to_pandas()["decay_rate"].tolist() == points["decay_rate"].tolist()
     table = points.to_xarray()
     assert np.array_equal(table["decay_rate"], points["decay_rate"])
     assert np.array_equal(table["u"], points.aircraft["speed"])
+
+
+def test_a_map_and_a_basin_in_tables() -> None:
+    chart, basin = kept("map"), kept("starts")
+    data = chart.to_xarray()
+    assert np.array_equal(data["static_margin"].sel(u=30.0), chart.values[:, 1])
+    assert np.array_equal(data["stable"], chart.stable)
+    frame = chart.to_pandas()
+    assert frame.index.names == ["a", "u"]
+    assert frame.loc[(0.4, 20.0), "static_margin"] == chart.values[1, 0]
+    fates = basin.to_xarray()["fate"]
+    assert fates.dims == ("r0", "v0")
+    meanings = fates.attrs["flag_meanings"].split()
+    assert meanings[basin.fate[0, 0]] == "straightens_out"
+    assert basin.to_pandas()["fate"].value_counts()["straightens out"] == (basin.fate == 0).sum()
+
+
+def test_a_survival_and_a_trim_in_tables() -> None:
+    survival, trims = kept("survival"), kept("trims")
+    frame = survival.to_pandas()
+    assert frame["u"].tolist() == [20.0] * 3 + [30.0] * 3
+    assert np.array_equal(frame["impulse"], survival.impulse.ravel())
+    assert frame["fate"].tolist() == [gl.Survival.FATES[k] for k in survival.fate.flat]
+    assert frame.attrs["units"]["impulse"] == "N s"
+    assert frame.attrs["half_width"] == 7.0
+    data = trims.to_xarray()
+    assert data["alpha"].dims == ("run_0", "run_1", "branch")
+    assert np.array_equal(data["F_disturbance"], SPEEDS[:, 0])
+    assert np.array_equal(trims.to_pandas().loc[(1, 2), "v"], trims["v"][1, 2])
+    assert len(kept("no equilibrium").to_pandas()) == 0
 
 
 @pytest.mark.parametrize("package", ["xarray", "pandas"])
@@ -222,6 +328,6 @@ def test_notebooks_show_a_table(run: gl.Trajectory, many: gl.Trajectory) -> None
     assert "<script" not in many._repr_html_()
     lin = gl.linearize(run.aircraft)
     assert "decay rate" in lin._repr_html_()
-    assert "3 of them" in tables.linearization_to_html(
+    assert "3 of them" in notebook.linearization_to_html(
         gl.linearize(run.aircraft.replace(a=np.array([0.1, 0.2, 0.3])))
     )

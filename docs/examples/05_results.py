@@ -8,7 +8,7 @@ plane = gl.Aircraft.load("brott-physical").replace(main_gear_arm=np.array([0.3, 
 runs = gl.simulate(plane, tire="linear", v0=0.1, t=2.0, samples=201)
 
 path = runs.save("runs.npz")  # parameters, their sources, digest of the equations, versions
-again = gl.load_run(path)  # refuses files that are damaged or from other equations
+again = gl.Trajectory.load(path)  # refuses files that are damaged or from other equations
 assert np.array_equal(again["Y"], runs["Y"])
 
 frame = runs.to_pandas()  # pip install 'groundloop[pandas]'

@@ -106,7 +106,7 @@ def _initial(command: Any) -> Any:
     help="Error of every state, relative to its largest magnitude.",
 )
 @click.option("--threads", type=click.IntRange(min=1), help="Default: every processor.")
-@options.output
+@options.result
 @options.picture
 def command(
     plane: str,
@@ -163,7 +163,7 @@ def command(
         say(f"not every trajectory is ok: {lost}")
     rows = _rows(ens, axes, bool(random))
     data = _data(ens, axes, seed if random else None)
-    emit(Output(_text(ens, ranges, random), rows, data), form, out)
+    emit(Output(_text(ens, ranges, random), rows, data, ens), form, out)
     units = {s: grid.unit for s, grid in ranges.items()}
     figure = partial(_figure, ens, {} if random else axes, units)
     options.draw(figure, f"{aircraft.name}-ensemble", form, plot, plotless)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import platform
 import warnings
+from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -15,11 +16,52 @@ from .output import Output, emit, paragraph, table
 
 
 @click.command(name="info", epilog=options.example("groundloop info --format json"))
+@click.argument("file", type=click.Path(dir_okay=False, path_type=Path), required=False)
 @options.output
-def command(form: str, out: Path | None) -> None:
-    """Versions, packaged aircraft and tires, models, and whether the code is compiled."""
+def command(file: Path | None, form: str, out: Path | None) -> None:
+    """Versions, packaged aircraft and tires, models, and whether the code is compiled.
+
+    Of a FILE that was kept with --out (.npz, .nc): what it holds, of which aircraft, and what
+    that was computed with.
+    """
+    if file is not None:
+        emit(_kept(file), form, out)
+        return
     data = _data()
     emit(Output(_text(data), _rows(data), data), form, out)
+
+
+def _kept(file: Path) -> Output:
+    """What is in a file, also if other equations than those installed made it."""
+    from groundloop.generated.names import DIGEST
+    from groundloop.records import read
+    from groundloop.results import restored
+
+    record = read(file, other_equations=True)
+    result = restored(record)
+    made = dict(record.provenance)
+    equations = made.pop("equations")
+    same = "those installed" if equations == DIGEST else f"not those installed, {DIGEST}"
+    versions = ", ".join(f"{name} {number}" for name, number in made.items())
+    text = f"{result!r}\n\n{record.aircraft!r}\n\n{versions}\nequations {equations}, {same}"
+    parts: dict[str, Mapping[str, Any]] = {
+        "about": record.about,
+        "inputs": record.inputs,
+        "arrays": {name: column.sizes for name, column in record.results.items()},
+        "provenance": record.provenance,
+    }
+    rows = [["part", "name", "value"], ["file", record.kind, str(file)]]
+    for part, values in parts.items():
+        rows += [[part, name, _short(value)] for name, value in values.items()]
+    head = {"file": str(file), "kind": record.kind, "aircraft": record.aircraft.name}
+    return Output(text, rows, {**head, **parts})
+
+
+def _short(value: Any) -> str:
+    """A value in one cell: of an array its shape."""
+    if getattr(value, "ndim", 0):
+        return " x ".join(map(str, value.shape))
+    return " x ".join(map(str, value.values())) if isinstance(value, dict) else str(value)
 
 
 def _data() -> dict[str, Any]:

@@ -32,7 +32,7 @@ _SCALARS = {
 @options.quantity("r", "rad/s", "Yaw rate at the operating point.", default=0.0)
 @options.speed
 @options.disturbance
-@options.output
+@options.result
 def command(
     plane: str,
     changes: options.Changes,
@@ -53,7 +53,7 @@ def command(
     point = OperatingPoint(v, r, disturbance)
     with bar():
         lin = linearize(options.loaded(plane, changes), tire, point, speed=speed)
-    emit(Output(_text(lin), _rows(lin), _data(lin)), form, out)
+    emit(Output(_text(lin), _rows(lin), _data(lin), lin), form, out)
 
 
 def _text(lin: Linearization) -> str:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     show_default=True,
     help="What to map, e.g. damping_ratio, static_margin, upper_critical_speed.",
 )
-@options.output
+@options.result
 @options.picture
 def command(
     plane: str,
@@ -53,7 +53,7 @@ def command(
 
     with bar():
         chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
-    emit(Output(_text(chart), _rows(chart), _data(chart)), form, out)
+    emit(Output(_text(chart), _rows(chart), _data(chart), chart), form, out)
     units = {grid.symbol: grid.unit for grid in (x, y) if grid.unit}
     default = f"{chart.aircraft.name}-map"
     options.draw(lambda: chart.plot(units=units).figure, default, form, plot, plotless)

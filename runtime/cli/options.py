@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 from click.shell_completion import CompletionItem
 
-from .output import FORMATS
+from .output import FORMATS, KEPT, KEPT_IN
 
 if TYPE_CHECKING:
     from groundloop.aircraft import Aircraft
@@ -252,21 +253,46 @@ def disturbance(command: F) -> F:
     return quantity("disturbance", "N", text, default=0.0)(command)
 
 
-def output(command: F) -> F:
-    """--format and --out."""
-    command = click.option(
+def output(command: Callable[..., Any], keeps: bool = False) -> Callable[..., Any]:
+    """--format and --out; the command gets as `form` one of `FORMATS`, or KEPT if it `keeps`."""
+
+    @wraps(command)
+    def formed(*, form: str | None, out: Path | None, **others: Any) -> Any:
+        return command(form=_form(form, out, keeps), out=out, **others)
+
+    kept = "; .npz or .nc (NetCDF) for the result itself, which `groundloop info` and Python read"
+    option = click.option(
         "--out",
         type=click.Path(dir_okay=False, path_type=Path),
-        help="File to write the result to instead of stdout.",
-    )(command)
+        help="File to write to instead of stdout, its suffix the format: .csv, .json"
+        f"{kept if keeps else ''}.",
+    )
     return click.option(
         "--format",
         "form",
         type=click.Choice(FORMATS),
-        default="table",
-        show_default=True,
-        help="For people, a spreadsheet or a program. The latter two are in SI units with radians.",
-    )(command)
+        help="For people, a spreadsheet or a program. The latter two are in SI units with radians."
+        " Default: as the suffix of --out says, or table.",
+    )(option(formed))
+
+
+def result(command: Callable[..., Any]) -> Callable[..., Any]:
+    """--format and --out of a command whose result can be kept."""
+    return output(command, keeps=True)
+
+
+def _form(form: str | None, out: Path | None, keeps: bool) -> str:
+    from groundloop.errors import GroundloopError
+
+    suffix = out.suffix if out else ""
+    if out and not out.parent.is_dir():
+        raise GroundloopError(f"cannot write {out}: there is no folder {out.parent}")
+    if suffix not in KEPT_IN:
+        return form or (suffix[1:] if suffix[1:] in FORMATS else FORMATS[0])
+    if not keeps or form:
+        why = f"--format {form} does not go into it" if keeps else "this command keeps no result"
+        raise click.BadParameter(f"found {out}; {why}", param_hint="--out")
+    return KEPT
 
 
 def picture(command: F) -> F:

@@ -12,11 +12,16 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+if TYPE_CHECKING:
+    from groundloop.results import Result
+
 FORMATS = ("table", "csv", "json")
+#: Not a format to print but a file with the result itself, of one of these kinds.
+KEPT, KEPT_IN = "kept", (".npz", ".nc")
 
 #: Beyond this width a line is hard to read; narrower terminals wrap the last column.
 _WIDEST = 120
@@ -34,21 +39,31 @@ class Output:
         For a spreadsheet; the first row is the header. Read only if they are wanted.
     data : mapping
         For programs, SI units with radians.
+    result : Result, optional
+        The result itself, if it can be kept.
     """
 
     text: str
     rows: Iterable[Sequence[Any]]
     data: Mapping[str, Any]
+    result: Result | None = None
 
 
 def emit(output: Output, form: str, out: Path | None) -> None:
     """Write an output in a format to a file, or to stdout."""
-    content = {"table": _text, "csv": _csv, "json": _json}[form](output)
     if out is None:
-        click.echo(content, nl=False)
+        click.echo(_content(output, form), nl=False)
         return
-    write(out, content)
+    if form == KEPT:
+        assert output.result is not None
+        output.result.save(out)
+    else:
+        write(out, _content(output, form))
     say(f"wrote {out}")
+
+
+def _content(output: Output, form: str) -> str:
+    return {"table": _text, "csv": _csv, "json": _json}[form](output)
 
 
 def write(path: Path, content: str) -> None:

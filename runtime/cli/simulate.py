@@ -75,7 +75,7 @@ def _gust(command: Any) -> Any:
 @click.option(
     "--show", default="y,theta", show_default=True, help="States and outputs over time to draw."
 )
-@options.output
+@options.result
 @options.picture
 def command(
     plane: str,
@@ -119,7 +119,7 @@ def command(
             **initial,
         )
         metrics = run.metrics(_MEASURED)
-    emit(Output(_text(run, metrics), _rows(run), _data(run, metrics)), form, out)
+    emit(Output(_text(run, metrics), _rows(run), _data(run, metrics), run), form, out)
     names = tuple(name.strip() for name in show.split(","))
     figure = partial(_runway, run) if view == "runway" else partial(_history, run, names)
     options.draw(figure, f"{run.aircraft.name}-simulate", form, plot, plotless)

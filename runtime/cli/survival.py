@@ -71,7 +71,7 @@ _COLUMNS = {
 @options.quantity("t", "s", "Time in which it must.", default=20.0, show_default=True)
 @options.quantity("largest", "N s", "Largest impulse tried. Default: what v = speed takes.")
 @click.option("--threads", type=click.IntRange(min=1), help="Default: every processor.")
-@options.output
+@options.result
 @options.picture
 def command(
     plane: str,
@@ -103,8 +103,8 @@ def command(
     with bar("kicks") as show:
         found = survival(aircraft, **grid, largest=largest, **criterion, progress=show)
     cases = _cases(found, speeds)
-    output = Output(_text(found, cases), _rows(found, cases), _data(found, stations, speeds))
-    emit(output, form, out)
+    data = _data(found, stations, speeds)
+    emit(Output(_text(found, cases), _rows(found, cases), data, found), form, out)
     draw = partial(_over_stations, found) if stations.size > 1 else None
     draw = draw or partial(_basin, found, aircraft, speeds, criterion)
     options.draw(draw, f"{aircraft.name}-survival", form, plot, plotless)

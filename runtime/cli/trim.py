@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 @options.tire()
 @options.speed
 @options.disturbance
-@options.output
+@options.result
 def command(
     plane: str,
     changes: options.Changes,
@@ -41,7 +41,7 @@ def command(
 
     with bar():
         found = trim(options.loaded(plane, changes), tire, speed=speed, disturbance=disturbance)
-    emit(Output(_text(found), _rows(found), _data(found)), form, out)
+    emit(Output(_text(found), _rows(found), _data(found), found), form, out)
 
 
 def _text(found: Trim) -> str:

@@ -1,0 +1,105 @@
+"""What results have in common: the ways out of them, and back."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+from typing import TYPE_CHECKING, Self
+
+from . import records
+from .errors import GroundloopError
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+#: Kind of a record -> module and class of the result that it holds.
+KINDS = {
+    "trajectory": ("simulation", "Trajectory"),
+    "linearization": ("linearization", "Linearization"),
+    "trim": ("trimming", "Trim"),
+    "sweep": ("sweeps", "Sweep"),
+    "map": ("maps", "StabilityMap"),
+    "ensemble": ("ensemble_result", "Ensemble"),
+    "survival": ("kicks", "Survival"),
+    "basin": ("basins", "Basin"),
+}
+
+
+class Result:
+    """A result that goes into tables and files, with its aircraft and provenance."""
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All arrays as an xarray.Dataset, with units and meanings.
+
+        Dimensions are called by what they are, runs and aircraft ``run`` or ``run_0``, ``run_1``,
+        ...; whatever varies of parameters and initial states is a coordinate; name of the
+        aircraft, settings and provenance are attributes.
+        """
+        from .tables import to_xarray
+
+        return to_xarray(self._record())
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """What there is for each run, point or time as a pandas.DataFrame, a row for each.
+
+        Whatever varies of parameters and initial states comes first. Name of the aircraft,
+        settings, provenance and units are in ``attrs``.
+        """
+        from .tables import to_pandas
+
+        return to_pandas(self._record())
+
+    def save(self, path: str | Path) -> Path:
+        """Write to a file with the aircraft, all that went in, and the provenance.
+
+        Parameters
+        ----------
+        path : str or Path
+            Where to: ``.npz``, or ``.nc`` (NetCDF, which needs the extra ``netcdf``). The file
+            appears when it is complete.
+
+        Raises
+        ------
+        GroundloopError
+            If the path ends in anything else or cannot be written.
+        """
+        return records.write(self._record(), path)
+
+    @classmethod
+    def load(cls, path: str | Path, *, other_equations: bool = False) -> Self:
+        """Read what `save` wrote: ``Ensemble.load`` an ensemble, ``Result.load`` whatever it is.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+        other_equations : bool
+            Whether to accept results of other equations than those that are installed.
+
+        Raises
+        ------
+        GroundloopError
+            If the file is no such thing, is damaged, or comes from other equations.
+        """
+        result = restored(records.read(path, other_equations=other_equations))
+        if not isinstance(result, cls):
+            words = f"{path} holds a {type(result).__name__}, not a {cls.__name__}"
+            raise GroundloopError(words)
+        return result
+
+    def _record(self) -> records.Record:
+        """What this consists of."""
+        raise NotImplementedError
+
+    @classmethod
+    def _of(cls, record: records.Record) -> Self:
+        """The result that consists of this."""
+        raise NotImplementedError
+
+
+def restored(record: records.Record) -> Result:
+    """The result that consists of what a file held."""
+    module, name = KINDS[record.kind]
+    kind: type[Result] = getattr(importlib.import_module(f".{module}", __package__), name)
+    return kind._of(record)
