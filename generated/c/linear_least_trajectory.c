@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest ad8e64e6590a491e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 7a681ef3aeb3b405) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* What every kernel of a model begins with; a driver follows. */
 #include <float.h>
 #include <math.h>
@@ -417,8 +417,9 @@ static void expand(step_t *s)
     s->span = s->h;
 }
 
-/* Follow the global error as ensembles do: a local error made at s has grown by about
- * |f(t)| / |f(s)| at t, and has moved a quadrature by f(t) - f(s) in the same proportion. */
+/* Follow the global error along the motion: a local error made at s has grown by about
+ * |f(t)| / |f(s)| at t, and has moved a quadrature by f(t) - f(s) in the same proportion.  Steps
+ * are good to far less than tol, so that nothing has to be followed across it. */
 static void follow_error(step_t *s, double rest)
 {
     double first[NS], last[NS], head = rest, tail = 0.0;
