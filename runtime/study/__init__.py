@@ -82,6 +82,7 @@ def run(out: str | Path, progress: Progress = None) -> Summary:
     from groundloop.placement.worked import steps, worked_study
 
     from . import figures, report
+    from .figure_svg import as_svg
     from .ledger import Cell, count, ledger, rows
     from .output import whole
     from .provenance import provenance
@@ -107,7 +108,7 @@ def run(out: str | Path, progress: Progress = None) -> Summary:
 
         placement = worked_study(done.add)
         for name, figure in placement.figures().items():
-            drawings[name] = figures.as_svg(figure, name, name.replace("-", " "))
+            drawings[name] = as_svg(figure, name, name.replace("-", " "))
             _write(scratch / "figures" / f"{name}.svg", drawings[name])
 
         counts = count(cells)
