@@ -100,6 +100,7 @@ def ensembles(bench: common.Bench) -> None:
                     ),
                     lambda x: common.ensemble_error(FOLDER, x),
                     target,
+                    finest=3e-16,  # it goes as far as arithmetic does
                     coarsest=1e-5,
                 )
                 if found:
