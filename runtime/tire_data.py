@@ -13,6 +13,7 @@ import numpy.typing as npt
 from .arrays import FloatArray, finite
 from .errors import GroundloopError, unknown
 from .evaluate import elementwise
+from .units import UnitError, to_si
 
 _SECANT = np.radians(1.0)  # where Eq. 3.2 takes the cornering coefficient
 _FEWEST_ANGLES, _FEWEST_LOADS = 5, 2
@@ -56,8 +57,9 @@ class TireData:
         ----------
         name : str or Path
             ``"goodyear-6.00-6"`` (Table 3.1 of the thesis), or the path of a ``.csv`` file:
-            comment lines begin with ``#``, the header is ``slip_angle_deg`` and the loads in N,
-            each row is a slip angle in degrees and the forces in N.
+            comment lines begin with ``#``, the header is ``slip_angle_deg`` and the loads,
+            each row is a slip angle in degrees and the forces. Loads may have one unit, which is
+            that of the forces too (``400 lbf``); bare ones are in N.
 
         Raises
         ------
@@ -135,11 +137,12 @@ def _packaged() -> dict[str, Path]:
 
 
 def _listed(what: str, mistakes: Sequence[str]) -> GroundloopError:
-    return GroundloopError("\n".join([f"{what} has {len(mistakes)} mistake(s):", *mistakes]))
+    count = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
+    return GroundloopError("\n  ".join([f"{what} has {count}:", *mistakes]))
 
 
 def _table(text: str, path: Path) -> FloatArray:
-    """The numbers of a CSV file, its header as the first row with NaN in the corner."""
+    """A CSV file in degrees and N, its header as the first row with NaN in the corner."""
     lines = [
         (number, [cell.strip() for cell in line.split(",")])
         for number, line in enumerate(text.splitlines(), start=1)
@@ -151,10 +154,11 @@ def _table(text: str, path: Path) -> FloatArray:
     mistakes = []
     if header[0] != "slip_angle_deg":
         mistakes.append(
-            f"line {number}: the header must be slip_angle_deg and the loads in N,"
-            f" but begins with {header[0]!r}"
+            f"line {number}: the header must be slip_angle_deg and the loads, such as"
+            f" slip_angle_deg,400 lbf,800 lbf (bare loads are in N), but begins with {header[0]!r}"
         )
-    table = [[float("nan"), *_numbers(header[1:], number, 2, mistakes)]]
+    loads, newtons = _loads(header[1:], number, mistakes)
+    table = [[float("nan"), *_numbers(loads, number, 2, mistakes)]]
     for number, cells in body:
         if len(cells) != len(header):
             mistakes.append(
@@ -163,7 +167,25 @@ def _table(text: str, path: Path) -> FloatArray:
         table.append(_numbers(cells, number, 1, mistakes))
     if mistakes:
         raise _listed(str(path), mistakes)
-    return np.array(table)
+    in_newtons = np.array(table)
+    in_newtons[0, 1:] *= newtons
+    in_newtons[1:, 1:] *= newtons
+    return in_newtons
+
+
+def _loads(cells: Sequence[str], line: int, mistakes: list[str]) -> tuple[list[str], float]:
+    """The loads of a header without their unit, and how many N it is."""
+    parts = [cell.partition(" ") for cell in cells]
+    numbers, units = [number for number, _, _ in parts], {unit.strip() for _, _, unit in parts}
+    if len(units) > 1:
+        given = " and ".join(sorted(unit or "none" for unit in units))
+        mistakes.append(f"line {line}: all loads must have one unit, but there is {given}")
+        return numbers, 1.0
+    try:
+        return numbers, to_si(f"1 {''.join(units)}", "N", f"line {line}")
+    except UnitError as problem:
+        mistakes.append(str(problem))
+        return numbers, 1.0
 
 
 def _numbers(cells: Sequence[str], line: int, first: int, mistakes: list[str]) -> list[float]:

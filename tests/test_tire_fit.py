@@ -420,10 +420,21 @@ class TestBadInput:
         assert data.name == "tire"
         assert data.forces.shape == (6, 2)
 
+    def test_loads_and_forces_may_have_a_unit(self, tmp_path):
+        bare = TireData.load(write(tmp_path, HEADER + "".join(ROWS)))
+        text = "slip_angle_deg, 1000 lbf, 2000 lbf\n" + "".join(ROWS)
+        data = TireData.load(write(tmp_path, text))
+        assert data.loads == pytest.approx(4.4482216152605 * bare.loads)
+        assert data.forces == pytest.approx(4.4482216152605 * bare.forces)
+        assert data.slip_angles == pytest.approx(bare.slip_angles)
+
     @pytest.mark.parametrize(
         ("text", "message"),
         [
             ("", "no data"),
+            ("slip_angle_deg,1 kN,2\n" + "".join(ROWS), "line 1: all loads must have one unit"),
+            ("slip_angle_deg,9 lb,99 lb\n" + "".join(ROWS), "a mass; expected a force"),
+            ("slip_angle_deg,9 lb,99 lb\n" + "".join(ROWS), "as a force, lb is lbf"),
             ("# only a comment\n", "no data"),
             (HEADER, "no data"),
             ("angle,1000,2000\n" + "".join(ROWS), "line 1: the header must be slip_angle_deg"),
@@ -458,7 +469,7 @@ class TestBadInput:
         text = "angle,1000,2000\n1,a,b\n2,3\n3,nan,1\n"
         with pytest.raises(gl.GroundloopError) as caught:
             TireData.load(write(tmp_path, text))
-        assert "5 mistake(s)" in str(caught.value)
+        assert "has 5 mistakes:" in str(caught.value)
         for part in ("line 1", "'a'", "'b'", "line 3", "'nan'"):
             assert part in str(caught.value)
 

@@ -9,7 +9,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from . import options
-from .output import Output, emit, number, shown, table
+from .output import Output, emit, filled, number, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
@@ -51,12 +51,18 @@ def _text(fit: TireFit) -> str:
         shown_value, shown_unit = shown(value, str(unit))
         rows.append([str(name), str(symbol), number(shown_value), shown_unit])
     loads = fit.data.loads
+    edge = [
+        f"{symbol} is at the end of what is possible: the best fit would lie beyond. Do the forces"
+        " level off within the measured slip angles?"
+        for symbol in fit.at_edge
+    ]
     return "\n\n".join(
         (
             f"{fit.data.name}: {fit.data.slip_angles.size} slip angles, {loads.size} loads from"
             f" {number(loads[0])} to {number(loads[-1])} N",
             table(["parameter", "symbol", "value", "unit"], rows, right=(2,)),
             f"Root mean square error: {fit.force_rms:.1f} N; of the normalised force {fit.rms:.4f}",
+            *map(filled, edge),
         )
     )
 
@@ -79,4 +85,5 @@ def _data(fit: TireFit) -> dict[str, Any]:
         "force_rms": fit.force_rms,
         "rms": fit.rms,
         "conditioning": fit.conditioning,
+        "at_edge": fit.at_edge,
     }
