@@ -139,6 +139,19 @@ CASES: dict[str, tuple[str, dict[str, Any], dict[str, Any], tuple[float, float]]
 }
 
 
+def test_stiffness_is_constant_where_one_is_given(physical):
+    chosen = {
+        changes: gl.place_gear(physical.replace(**dict(changes)), ENVELOPE, **options).case.stiffness
+        for changes, options in (
+            ((), {}),
+            ((("Ct", "70 N/deg"),), {}),
+            ((("C_alpha", "400 N/deg"),), {}),
+            ((("Ct", 0.0), ("x_main", "30 in")), {"tail_wheel": "free"}),
+        )
+    }
+    assert list(chosen.values()) == ["following", "constant", "constant", "following"]
+
+
 @pytest.mark.parametrize("stiffness", ["constant", "following"])
 @pytest.mark.parametrize("name", CASES)
 def test_the_answer_is_that_of_a_dense_grid(

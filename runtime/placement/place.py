@@ -69,8 +69,8 @@ def place_gear(
         ``"taildragger"`` or ``"tricycle"``; default what the aircraft is.
     stiffness : str, optional
         ``"constant"``: as in the thesis, no stiffness knows where the gear is; default where the
-        aircraft gives `cornering_stiffness`. ``"following"``: axle loads follow from CG and
-        gear, stiffnesses from the loads.
+        aircraft gives `cornering_stiffness`, or `tail_wheel_stiffness` of a tail wheel that is
+        locked. ``"following"``: axle loads follow from CG and gear, stiffnesses from the loads.
     tail_wheel : str
         ``"locked"`` or ``"free"``: a free one casters and makes no side force.
     tire, v0, t

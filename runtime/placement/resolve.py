@@ -58,13 +58,13 @@ def resolve(
         layout = LAYOUTS[0] if today["x_main"] < axes["x_cg"].low else LAYOUTS[1]
     if layout not in LAYOUTS:
         raise unknown("layout", layout, LAYOUTS, "place_gear")
-    if stiffness is None:
-        stiffness = "constant" if "C_alpha" in plane.given else "following"
-    if stiffness not in STIFFNESS:
-        raise unknown("stiffness", stiffness, STIFFNESS, "place_gear")
     has_tail_wheel = layout == "taildragger" and tail_wheel == "locked"
     if not has_tail_wheel or _is_zero(plane, "Ct"):
         today["kappa"] = 0.0
+    if stiffness is None:
+        stiffness = "constant" if _given(plane, today["kappa"] > 0) else "following"
+    if stiffness not in STIFFNESS:
+        raise unknown("stiffness", stiffness, STIFFNESS, "place_gear")
     bounds = limits.bounds(layout)
     chosen = _variables(variables, layout, axes, today)
     return Case(
@@ -267,12 +267,17 @@ def _references(
     return {**references, **curve, "F_0": float(static["F_tail_load"])}
 
 
+def _given(plane: Aircraft, has_tail_wheel: bool) -> list[str]:
+    """The stiffnesses that are given, so that they cannot follow the gear."""
+    stiffnesses = ("C_alpha", "Ct") if has_tail_wheel else ("C_alpha",)
+    return [s for s in stiffnesses if s in plane.given]
+
+
 def _require_following(plane: Aircraft, has_tail_wheel: bool) -> None:
     """Stiffnesses can't both be given and follow."""
-    for s in ("C_alpha", "Ct"):
-        if s in plane.given and (s == "C_alpha" or has_tail_wheel):
-            name = QUANTITIES[s].name
-            raise GroundloopError(
-                f"{name} ({s}) of aircraft {plane.name} is given, so it cannot follow the gear:"
-                f" replace({s}=None), or stiffness='constant'"
-            )
+    for s in _given(plane, has_tail_wheel):
+        name = QUANTITIES[s].name
+        raise GroundloopError(
+            f"{name} ({s}) of aircraft {plane.name} is given, so it cannot follow the gear:"
+            f" replace({s}=None), --set {s}= on the command line, or stiffness='constant'"
+        )
