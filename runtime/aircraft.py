@@ -71,7 +71,7 @@ class Source:
     estimate : bool
         Whether the number is only an estimate.
     entry : str
-        The number as it was written, with its unit.
+        The number as it was written, with its unit if it has one.
     """
 
     text: str = ""

@@ -147,8 +147,7 @@ def entries(
         elif isinstance(content, Entry):
             written = _written(data[name], "value")
             if q := _KNOWN.get(name):
-                unit = "" if isinstance(written, str) or q.unit == "1" else f" {q.unit}"
-                source = Source(content.source, content.estimate, f"{written}{unit}")
+                source = Source(content.source, content.estimate, str(written).strip())
                 yield here, q.symbol, content.value, source
             else:
                 text = "; ".join(filter(None, (f"fitted to {written}", content.source)))

@@ -13,14 +13,14 @@ import numpy as np
 
 from .aircraft import FOLLOWS, Aircraft, NotGivenError, Source, parameter_symbols
 from .arrays import FloatArray
-from .consistency import contradictions, following, in_words
+from .consistency import as_written, contradictions, following, in_words, words
 from .errors import GroundloopError
 from .evaluate import elementwise
 from .generated import build
 from .generated.names import MODELS, QUANTITIES
 from .names import symbol
 from .stability import speed_window
-from .units import to_si
+from .units import from_si, parts, to_si
 
 #: Results of `placement_limits` that describe an aircraft at rest: of which gear, from what.
 _LIMITS = {
@@ -117,7 +117,7 @@ def check(plane: Aircraft) -> Check:
         known=known,
         missing={tire: tuple(_missing(plane, tire)) for tire in MODELS},
         warnings=(*map(str, contradictions(plane)), *_unusual(plane, known)),
-        notes=(*_overrides(plane), *_stability(plane)),
+        notes=(*_table_wanted(plane), *_bare(plane), *_overrides(plane), *_stability(plane)),
     )
 
 
@@ -165,6 +165,14 @@ def _missing(plane: Aircraft, tire: str) -> Iterator[str]:
             yield str(problem)
 
 
+def _table_wanted(plane: Aircraft) -> Iterator[str]:
+    if not any(s in plane for s in ("B1", "B3", "B5", "C_alpha")):
+        yield (
+            "all of the main tires follows from measured side forces: a CSV file beside the"
+            ' aircraft\'s, or the packaged one, table = "goodyear-6.00-6.csv" in [main_tires]'
+        )
+
+
 def _roots(plane: Aircraft, s: str) -> list[str]:
     """Names of what a parameter would follow from and is not known."""
     return [QUANTITIES[n].name for n in build(f"{s}_follows").name_in() if n not in plane]
@@ -204,6 +212,14 @@ def _shown(s: str, value: FloatArray) -> str:
     return in_words(s, value)
 
 
+def _bare(plane: Aircraft) -> Iterator[str]:
+    """Values without a unit: whoever forgot one will see what they became."""
+    for s in plane.given:
+        number, unit = parts(plane.sources.get(s, Source()).entry)
+        if number and not unit and QUANTITIES[s].unit != "1" and plane[s].any():
+            yield f"{QUANTITIES[s].name} has no unit and is read as {words(plane, s)}"
+
+
 def _overrides(plane: Aircraft) -> Iterator[str]:
     """Given values that differ from what would follow."""
     for s in filter(FOLLOWS.__contains__, parameter_symbols()):
@@ -223,10 +239,11 @@ def _stability(plane: Aircraft) -> Iterator[str]:
         window = speed_window(plane)
     except GroundloopError:
         return
-    low, high = np.ravel(window.low), np.ravel(window.high)
+    unit = as_written(plane, "u")[1]
+    low, high = (np.ravel(v) * from_si(1.0, "m/s", unit) for v in (window.low, window.high))
     if not np.isfinite(low).any():
         yield "the linear model is stable at every speed"
         return
     first = int(np.flatnonzero(np.isfinite(low))[0])
-    to = f"to {high[first]:.1f} m/s" if np.isfinite(high[first]) else "upwards"
-    yield f"the linear model is unstable from {low[first]:.1f} m/s {to}"
+    to = f"to {high[first]:.1f} {unit}" if np.isfinite(high[first]) else "upwards"
+    yield f"the linear model is unstable from {low[first]:.1f} {unit} {to}"

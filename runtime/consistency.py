@@ -11,6 +11,7 @@ from .aircraft import FOLLOWS, Aircraft, NotGivenError, parameter_symbols
 from .arrays import FloatArray
 from .errors import GroundloopError
 from .generated.names import QUANTITIES
+from .units import parts
 
 #: How far a given length may be from the one that follows from the other data, m: what a tape
 #: measure and the rounding of a weight-and-balance sheet leave.
@@ -58,6 +59,7 @@ def contradictions(plane: Aircraft) -> tuple[Contradiction, ...]:
         *_lengths(plane),
         *_cg_limits(plane),
         *_fraction(plane),
+        *_tail(plane),
         *_nose_wheel(plane),
         *_loads(plane),
     )
@@ -74,8 +76,15 @@ def following(plane: Aircraft, key: str) -> FloatArray | None:
 
 def words(plane: Aircraft, key: str) -> str:
     """A given value as it was written, or any value in its SI unit."""
-    entry = plane.sources[key].entry if key in plane.sources else ""
-    return entry or in_words(key, plane[key])
+    number, unit = as_written(plane, key)
+    return f"{number} {unit}".rstrip() if number else in_words(key, plane[key])
+
+
+def as_written(plane: Aircraft, key: str) -> tuple[str, str]:
+    """Number and unit of a given value as they were written, a bare number's the SI unit."""
+    number, unit = parts(plane.sources[key].entry) if key in plane.sources else ("", "")
+    si = QUANTITIES[key].unit
+    return number, unit or ("" if si == "1" else si)
 
 
 def in_words(key: str, value: FloatArray) -> str:
@@ -137,6 +146,12 @@ def _fraction(plane: Aircraft) -> Iterator[Contradiction]:
             "a fraction from 0 to 1, or nose_wheel_station from which it follows: the main gear is"
             " behind the CG, so that a nose wheel carries the rest",
         )
+
+
+def _tail(plane: Aircraft) -> Iterator[Contradiction]:
+    if "x_tail" in plane and "x_cg" in plane and (plane["x_tail"] <= plane["x_cg"]).any():
+        behind = f"a station behind the CG, {words(plane, 'x_cg')}: stations count aft"
+        yield Contradiction("x_tail", words(plane, "x_tail"), behind)
 
 
 def _nose_wheel(plane: Aircraft) -> Iterator[Contradiction]:

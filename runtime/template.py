@@ -28,6 +28,12 @@ _SECTIONS = {
     "runway": (("u", "u_lift", "rho", "g"), ""),
 }
 
+#: What is the same for most, so that it stands there already.
+_STANDARD = {
+    "rho": ("1.225 kg/m^3", "ISO 2533, sea level"),
+    "g": ("9.80665 m/s^2", "standard gravity"),
+}
+
 _REST = "follows"
 _REST_TEXT = "What follows from the rest. Give it only if the rest is not known, or to override it."
 
@@ -38,7 +44,7 @@ _HEAD = """\
 #     mass = "1650 lb"
 # or with where it comes from, and whether it is only an estimate:
 #     mass = {{ value = "1650 lb", source = "weighing of 3 May", estimate = false }}
-# A bare number is in the unit named in the comment. Then: groundloop check {file}
+# A bare number is in the unit beside the question mark. Then: groundloop check {file}
 
 title = "{name}"
 description = \"\"\"
@@ -48,7 +54,7 @@ source = "" # the document that most numbers are from
 
 
 def template(name: str, file: str) -> str:
-    """The text of an aircraft file with every key commented out.
+    """The text of an aircraft file with every key, commented out but for what is standard.
 
     Parameters
     ----------
@@ -67,14 +73,17 @@ def template(name: str, file: str) -> str:
 def _section(title: str, symbols: Iterable[str], text: str) -> str:
     lines = [f"[{title}]", *(f"# {line}" for line in text.splitlines())]
     if title == "main_tires":
-        lines.append(_line("table", "?.csv", "measured forces"))
+        lines.append(_line("table", "?.csv", "", "measured forces"))
     for s in filter(parameter_symbols().__contains__, symbols):
         q = QUANTITIES[s]
+        if s in _STANDARD:
+            lines.append(_line(q.name, *_STANDARD[s], q.meaning).removeprefix("#"))
+            continue
         value = "?" if q.unit == "1" else f"? {q.unit}"
         also = "; follows if not given" if s in FOLLOWS and title != _REST else ""
-        lines.append(_line(q.name, value, f"{q.meaning}{also}"))
+        lines.append(_line(q.name, value, "", f"{q.meaning}{also}"))
     return "\n".join(lines) + "\n"
 
 
-def _line(key: str, value: str, meaning: str) -> str:
-    return f'#{key} = {{ value = "{value}", source = "" }} # {meaning}'
+def _line(key: str, value: str, source: str, meaning: str) -> str:
+    return f'#{key} = {{ value = "{value}", source = "{source}" }} # {meaning}'

@@ -72,16 +72,21 @@ def to_si(text: str, unit: str, where: str) -> float:
         If the text is no number with a unit, or the unit does not fit. An angle counts: N is
         not N/rad.
     """
-    match = _NUMBER.match(text.replace("\N{MINUS SIGN}", "-"))
-    if match is None:
+    number, given = parts(text)
+    if not number:
         raise UnitError(where, f"{text!r}, which is not a number with a unit", expected(unit))
-    number, given = float(match[1]), match[2]
     if not given:
-        return number
+        return float(number)
     try:
-        return number * _factor(given, unit)
+        return float(number) * _factor(given, unit)
     except UnitError as problem:
         raise UnitError(where, f"{text!r}, {problem.found}", problem.expected) from None
+
+
+def parts(text: str) -> tuple[str, str]:
+    """Number and unit of a text, both as they are written; nothing for what it does not have."""
+    match = _NUMBER.match(text.replace("\N{MINUS SIGN}", "-"))
+    return (match[1], match[2]) if match else ("", "")
 
 
 def from_si(value: float, unit: str, wanted: str) -> float:
@@ -146,6 +151,8 @@ def _hint(given: str, target: Any) -> str:
 
 
 def _unknown(given: str) -> str:
+    if given.startswith(","):
+        return "with a comma (none between thousands, a point before decimals)"
     near = difflib.get_close_matches(given, _COMMON, n=2, cutoff=0.6)
     hint = f" (did you mean {' or '.join(near)}?)" if near else ""
     return f"with an unknown unit {given!r}{hint}"

@@ -385,6 +385,10 @@ def test_place_gives_the_station_its_worst_corner_and_a_picture(run, tmp_path: P
     assert found["today"]["design"]["main_gear_station"] == pytest.approx(0.5588)
     assert found["placement"]["decay_rate"]["value"] > 0
     assert [price["of"] for price in found["binding"]] == ["nose_over at most 25.00 deg"]
+    text = run(*words, "--no-plot").out
+    assert re.search(
+        r"main gear station \S+ mm = 26.\d\d in .* \(today 558.8 mm = 22.00 in\)", text
+    )
 
 
 def test_fit_tire_reads_a_file(run, tmp_path: Path):
@@ -400,8 +404,8 @@ def test_fit_tire_reads_a_file(run, tmp_path: Path):
 
 
 def test_fit_tire_tells_of_a_fit_on_the_edge_of_the_search(run, tmp_path: Path):
-    forces = [(1, 31, 41), (2, 60, 80), (4, 115, 155), (6, 165, 225), (10, 235, 330), (15, 280, 400)]
-    lines = ["slip_angle_deg, 400 lbf, 600 lbf", *(",".join(map(str, row)) for row in forces)]
+    rows = [(1, 31, 41), (2, 60, 80), (4, 115, 155), (6, 165, 225), (10, 235, 330), (15, 280, 400)]
+    lines = ["slip_angle_deg, 400 lbf, 600 lbf", *(",".join(map(str, row)) for row in rows)]
     (tmp_path / "ply.csv").write_text("\n".join(lines), encoding="utf-8")
     assert "C1 is at the end of what is possible" in run("fit-tire", "ply.csv").out
     assert json.loads(run("fit-tire", "ply.csv", "--format", "json").out)["at_edge"] == ["C1"]
@@ -448,7 +452,10 @@ def test_check_shows_values_as_written_their_sources_and_estimates(run):
     out = run("check", "cessna-170").out
     assert re.search(r"main_gear_station +x_main +22 +in +\[\d+\]", out)
     assert re.search(r"yaw_inertia +Izz +~1633 +slug ft\^2", out)
-    assert re.search(r"main_gear_arm +a +0.53467 +m +x_cg, x_main", out)
+    assert re.search(r"main_gear_arm +a +21.05 +in +x_cg, x_main", out)
+    assert re.search(r"tail_wheel_load +F_tail_load +206.74 +lbf", out)
+    assert re.search(r"cornering_stiffness +C_alpha +110.35 +lbf/deg", out)
+    assert re.search(r"tail_wheel_load +F_tail_load +0 +N ", run("check", "brott").out)
     assert "Scott 3-24B" in out
 
 
@@ -465,13 +472,31 @@ def test_check_says_which_given_values_override_what_would_follow(run):
 
 
 def test_check_says_where_an_aircraft_is_unstable(run):
-    assert "unstable from" in run("check", "brott", "--set", "Ct=10 N/deg").out
+    unstable = "unstable from 19.7 km/h to 190.9 km/h"
+    assert unstable in run("check", "brott", "--set", "Ct=10 N/deg").out
 
 
 def test_check_names_a_cg_outside_its_limits(run):
     out = run("check", "brott", "--set", "cg_station=20 in").out
     assert "cg_station (x_cg): found" in out
     assert "at most cg_aft_limit, 16.8 in" in out
+
+
+def test_check_says_how_it_reads_a_number_without_a_unit(run, tmp_path: Path):
+    (tmp_path / "bare.toml").write_text("mass = '1320'\nspeed = 40\nCt = 0\nB1 = 1", "utf-8")
+    out = run("check", "bare.toml").out
+    assert re.search(r"mass +m +1320 +kg", out)
+    notes = out.partition("Worth knowing")[2]
+    assert "mass has no unit and is read as 1320 kg" in notes
+    assert "speed has no unit and is read as 40 m/s" in notes
+    assert notes.count("no unit") == 2
+    assert "no unit" not in run("check", "cessna-170").out
+
+
+def test_check_takes_pounds_for_slugs_as_a_slip(run):
+    out = run("check", "cessna-170", "--set", "yaw_inertia=1633 lb ft^2").out
+    assert "yaw_inertia is 68.815 kg m^2; usual is 150 kg m^2" in out
+    assert "yaw_inertia is" not in run("check", "cessna-170").out
 
 
 def test_check_is_strict_if_asked(run):
@@ -494,15 +519,19 @@ def test_a_new_file_is_read_and_check_says_what_it_lacks(run, tmp_path: Path):
     assert "- mass (total mass)" in result.out
     assert "main_gear_arm" in result.out
     assert "or cg_station and main_gear_station" in result.out
+    assert 'table = "goodyear-6.00-6.csv" in [main_tires]' in result.out
+    assert "gravity" not in result.out.partition("Missing")[2]
 
 
 def test_a_new_file_explains_every_key():
     text = template("mine", "mine.toml")
-    for symbol in parameter_symbols():
+    for symbol in set(parameter_symbols()) - {"rho", "g"}:
         q = QUANTITIES[symbol]
         unit = "" if q.unit == "1" else f" {q.unit}"
         line = f'#{q.name} = {{ value = "?{unit}", source = "" }} # {q.meaning}'
         assert line in text.replace("; follows if not given", "")
+    assert '\nair_density = { value = "1.225 kg/m^3", source = "ISO 2533' in text
+    assert '\ngravity = { value = "9.80665 m/s^2"' in text
     assert max(map(len, text.splitlines())) < 140
 
 

@@ -265,7 +265,7 @@ class TestReplace:
             ({"m": ""}, ("m", "''", "kg")),
             ({"m": "5 stones_and_more"}, ("m", "unknown unit", "stones_and_more")),
             ({"m": "5 5 kg"}, ("m", "'5 kg'")),
-            ({"m": "1,5 kg"}, ("m", "',5 kg'")),
+            ({"m": "1,5 kg"}, ("m", "'1,5 kg', with a comma", "a point before decimals")),
             ({"u": "100 km"}, ("u", "km", "m/s")),
             ({"Ct": "70 kg/deg"}, ("Ct", "kg/deg", "N/rad")),
             ({"Ct": "70 N"}, ("Ct", "70 N", "N/rad")),

@@ -140,16 +140,14 @@ CASES: dict[str, tuple[str, dict[str, Any], dict[str, Any], tuple[float, float]]
 
 
 def test_stiffness_is_constant_where_one_is_given(physical):
-    chosen = {
-        changes: gl.place_gear(physical.replace(**dict(changes)), ENVELOPE, **options).case.stiffness
-        for changes, options in (
-            ((), {}),
-            ((("Ct", "70 N/deg"),), {}),
-            ((("C_alpha", "400 N/deg"),), {}),
-            ((("Ct", 0.0), ("x_main", "30 in")), {"tail_wheel": "free"}),
-        )
-    }
-    assert list(chosen.values()) == ["following", "constant", "constant", "following"]
+    def chosen(plane: gl.Aircraft, **options: Any) -> str:
+        return gl.place_gear(plane, ENVELOPE, **options).case.stiffness
+
+    soft = physical.replace(Ct="70 N/deg")
+    assert chosen(physical) == "following"
+    assert chosen(soft) == "constant"
+    assert chosen(soft, layout="tricycle") == "following"
+    assert chosen(physical.replace(C_alpha="400 N/deg")) == "constant"
 
 
 @pytest.mark.parametrize("stiffness", ["constant", "following"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,11 @@ from .output import Output, emit, filled, number, paragraph, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
+    from groundloop.aircraft import Aircraft
     from groundloop.checking import Check, Known
+
+#: Whoever weighs in these reads forces in pounds too.
+_POUNDS = frozenset(("lb", "lbs", "pound", "pounds"))
 
 
 @click.command(name="check", epilog=options.example("groundloop check cessna-170"))
@@ -57,7 +61,7 @@ def _text(found: Check) -> str:
         parts.append(f"Sources\n{listed}")
     if follows:
         origins = [", ".join(k.follows_from) for k in follows]
-        parts.append("Follows\n" + _table(follows, "from", origins))
+        parts.append("Follows\n" + _table(follows, "from", origins, _sheet(plane)))
     for title, texts in (
         *_missing(found),
         ("Look twice", found.warnings),
@@ -77,22 +81,40 @@ def _missing(found: Check) -> Iterator[tuple[str, tuple[str, ...]]]:
         yield f"Missing for the {tire} tire", tuple(t for t in missing if t not in every)
 
 
-def _table(known: list[Known], last: str, origins: list[str]) -> str:
+def _sheet(plane: Aircraft) -> dict[str, str]:
+    """Units for what follows, by SI unit: those of the sheet it follows from."""
+    from groundloop.consistency import as_written
+
+    units: dict[str, str] = {}
+    if as_written(plane, "m")[1] in _POUNDS:
+        units |= {"N": "lbf", "N/rad": "lbf/deg"}
+    if "x_cg" in plane.given:
+        units["m"] = as_written(plane, "x_cg")[1]
+    return units
+
+
+def _table(
+    known: list[Known], last: str, origins: list[str], units: Mapping[str, str] | None = None
+) -> str:
     rows = []
     for k, origin in zip(known, origins, strict=True):
         mark = "~" if k.source.estimate else ""
-        value, unit = _value(k)
+        value, unit = _value(k, units or {})
         rows.append([k.name, k.symbol, mark + value, unit, origin])
     return table(["quantity", "symbol", "value", "unit", last], rows, right=(2,))
 
 
-def _value(k: Known) -> tuple[str, str]:
+def _value(k: Known, units: Mapping[str, str]) -> tuple[str, str]:
     """Value and unit as written, or as people read them."""
-    text, _, unit = k.source.entry.partition(" ")
+    from groundloop.units import from_si, parts
+
+    text, unit = parts(k.source.entry)
     if text:
-        return text, unit
+        return text, unit or ("" if k.unit == "1" else k.unit)
     if k.value.ndim:
         return f"{k.value.size} values", k.unit
+    if k.unit in units:
+        return number(from_si(float(k.value), k.unit, units[k.unit])), units[k.unit]
     value, unit = shown(k.value, k.unit)
     return number(value), unit
 

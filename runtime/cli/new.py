@@ -10,7 +10,7 @@ from .options import AircraftName, example
 from .output import say, write
 
 
-@click.command(name="new", epilog=example("groundloop new my-plane.toml --force"))
+@click.command(name="new", epilog=example("groundloop new my-plane.toml --like cessna-170"))
 @click.argument("file", type=click.Path(dir_okay=False, path_type=Path))
 @click.option("--like", type=AircraftName(), help="Begin with a copy of this aircraft instead.")
 @click.option("--force", is_flag=True, help="Overwrite the file if there is one.")
@@ -24,7 +24,8 @@ def command(file: Path, like: str | None, force: bool) -> None:
     if file.exists() and not force:
         raise click.BadParameter(f"{file} exists; --force overwrites it")
     write(file, _content(file, like))
-    say(f"wrote {file}; fill it in, then: groundloop check {file}")
+    task = "change what is different" if like else "fill it in"
+    say(f"wrote {file}; {task}, then: groundloop check {file}")
 
 
 def _content(file: Path, like: str | None) -> str:

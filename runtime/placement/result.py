@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundloop.aircraft import Aircraft
+from groundloop.consistency import as_written
 from groundloop.generated.names import QUANTITIES
 from groundloop.progress import Progress
 from groundloop.simulation import Trajectory, simulate
+from groundloop.units import from_si
 
 from .assess import Assessment, Standing, Worst
 from .case import VARIABLES, Case
@@ -149,7 +151,7 @@ class Placement:
         lines = [
             f"Placement of {self.case.plane.name!r} as a {self.case.layout}, {self.case.stiffness}"
             f" stiffness: {words}",
-            *(f"  {_chosen(v.symbol, self.design, self.case.today)}" for v in self.case.variables),
+            *(f"  {_chosen(v.symbol, self.design, self.case)}" for v in self.case.variables),
             f"  {name} {shown(self.value, of)}{was}, worst at {where}",
         ]
         lines += [f"  held by {p.of}: {_words(p, noun, unit)}" for p in self.binding]
@@ -160,12 +162,19 @@ class Placement:
         return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
 
 
-def _chosen(symbol: str, design: Mapping[str, float], today: Mapping[str, float]) -> str:
-    unit = _SHOWN.get(QUANTITIES[symbol].unit, "1")
+def _chosen(symbol: str, design: Mapping[str, float], case: Case) -> str:
+    unit, today = _SHOWN.get(QUANTITIES[symbol].unit, "1"), case.today[symbol]
+    sheet = as_written(case.plane, symbol)[1] if symbol in case.plane.given else ""
+
+    def both(value: float) -> str:
+        if unit != "mm" or sheet in ("", "m", "mm"):
+            return shown(value, unit)
+        return f"{shown(value, unit)} = {from_si(value, 'm', sheet):.2f} {sheet}"
+
     name = next(name for name, s in VARIABLES.items() if s == symbol)
-    was = f" (today {shown(today[symbol], unit)})" if np.isfinite(today[symbol]) else ""
+    was = f" (today {both(today)})" if np.isfinite(today) else ""
     behind = " behind the datum" if unit == "mm" else ""
-    return f"{name.replace('_', ' ')} {shown(design[symbol], unit)}{behind}{was}"
+    return f"{name.replace('_', ' ')} {both(design[symbol])}{behind}{was}"
 
 
 def _words(price: Price, noun: str, unit: str) -> str:
