@@ -150,7 +150,12 @@ def columns(function: str | ca.Function, *arguments: FloatArray) -> list[FloatAr
 def solved(solver: ca.Function, **arguments: Any) -> dict[str, Any]:
     """What a solver returns. CasADi makes a warning of Ctrl-C and IPOPT a failure; not so here."""
     with redirect_stderr(io.StringIO()) as said:
-        result: dict[str, Any] = solver(**arguments)
+        try:
+            result: dict[str, Any] = solver(**arguments)
+        except SystemError as problem:  # that it returned while interrupted
+            if isinstance(problem.__cause__, KeyboardInterrupt):
+                raise KeyboardInterrupt from None
+            raise
     if "KeyboardInterrupt" in said.getvalue():
         raise KeyboardInterrupt
     return result
