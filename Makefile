@@ -4,6 +4,10 @@ PYTHON ?= python3
 VENV   ?= .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed
+EXTRA  ?= dev
+# those beside the oldest that is supported, as far as they run here
+NEWER  := python3.12 python3.13 python3.14
+PYTHONS ?= $(shell for p in $(NEWER); do if $$p -c "" 2>/dev/null; then echo $$p; fi; done)
 
 .DEFAULT_GOAL := study
 .PHONY: study derive compile test lint types drift unit pythons docs bench clean help
@@ -14,7 +18,7 @@ study: compile  ## every table and figure of the thesis, into ./study (the defau
 $(STAMP): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade pip
-	$(BIN)/python -m pip install --quiet --editable ".[dev]"
+	$(BIN)/python -m pip install --quiet --editable ".[$(EXTRA)]"
 	touch $@
 
 derive: $(STAMP)  ## regenerate the equations: generated/ from derive/
@@ -37,12 +41,13 @@ types: $(STAMP)  ## static types; mypy sees the folders under their installed na
 drift: $(STAMP)  ## generated/ is exactly what derive/ makes
 	$(BIN)/python -m groundloop.derive --check
 
-unit: $(STAMP)  ## the test suite
-	$(BIN)/python -m pytest -n 2
+unit: $(STAMP)  ## the test suite, or some of it: make unit TESTS=tests/test_sweep.py
+	$(BIN)/python -m pytest -n 2 $(TESTS)
 
-pythons:  ## the test suite on other Pythons: make pythons PYTHONS="python3.12 python3.13"
-	for python in $(PYTHONS); do \
-	    $(MAKE) unit PYTHON=$$python VENV=build/venv-$$python || exit 1; \
+pythons:  ## the same on every newer Python that is found
+	@test -n "$(PYTHONS)" || echo "no newer Python is found here"
+	set -e; for python in $(PYTHONS); do \
+	    $(MAKE) unit PYTHON=$$python VENV=build/venv-$$python EXTRA=test; \
 	done
 
 docs: $(STAMP)  ## the documentation, into docs/_build
