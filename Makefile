@@ -10,7 +10,7 @@ NEWER  := python3.12 python3.13 python3.14
 PYTHONS ?= $(shell for p in $(NEWER); do if $$p -c "" 2>/dev/null; then echo $$p; fi; done)
 
 .DEFAULT_GOAL := study
-.PHONY: study derive compile test lint types drift unit pythons docs bench clean help
+.PHONY: study derive compile test lint types drift unit pythons release docs bench clean help
 
 study: compile  ## every table and figure of the thesis, into ./study (the default)
 	$(BIN)/groundloop study --out study
@@ -49,6 +49,9 @@ pythons:  ## the same on every newer Python that is found
 	set -e; for python in $(PYTHONS); do \
 	    $(MAKE) unit PYTHON=$$python VENV=build/venv-$$python EXTRA=test; \
 	done
+
+release:  ## what must hold before a version is tagged
+	.ci/release
 
 docs: $(STAMP)  ## the documentation, into docs/_build
 	$(BIN)/python -m sphinx --fail-on-warning --keep-going -q docs docs/_build

@@ -56,6 +56,8 @@ if TYPE_CHECKING:
     from .tire_fit import fit_tire
     from .trimming import Trim, trim
 
+    __version__: str
+
 #: Public name -> module; imported on first use, so that `import groundloop` is cheap.
 _HOME = {
     "Aircraft": "aircraft",
@@ -169,6 +171,10 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version(__name__)
     if name in _MODULES:
         return importlib.import_module(f".{name}", __name__)
     if name not in _HOME:
