@@ -41,7 +41,7 @@ def equation_sheet(derived: Sequence[Module]) -> str:
     lines += _section("Loads and stiffnesses", static_loads())
     lines += _section("Loads with a nose wheel", nose_wheel_loads(), _NOSE_WHEEL)
     lines += _section("A kick", kick(), _KICK)
-    for title, chain, text in (*stability_sections(models), *placement.sections()):
+    for title, chain, text in (*stability_sections(), *placement.sections()):
         lines += _section(title, chain, text)
     return "\n".join([*lines, *_symbol_table(models)])
 

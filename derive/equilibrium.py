@@ -12,13 +12,19 @@ import sympy as sp
 from .components import F_main, F_tail, F_tail_wheel, alpha, gamma
 from .equation import Chain, Equation
 from .jacobian import tangents
-from .model import Model
+from .linear import linear
+from .model import Model, nonlinear
 from .newton import r_dot, sum_F, sum_M, v_dot
 from .quantities import Quantity, a, b, r, v
 
 gear_moment = Quantity(
     "M_gear", "gear_moment", "N m", "moment of the main gear about the tail", r"M_{\mathrm{gear}}"
 )
+
+
+def turning() -> tuple[Model, ...]:
+    """The models whose steady turns are generated; others need not have a main gear and a tail."""
+    return linear(), nonlinear()
 
 
 def equilibrium(model: Model) -> Chain:

@@ -10,8 +10,6 @@ from .casadi_source import FunctionSpec
 from .components import alpha
 from .equation import Chain, needed
 from .jacobian import derivative
-from .linear import linear
-from .model import nonlinear
 from .newton import sum_M
 from .quantities import Quantity, r, v
 from .scalar_functions import ordered, scalar_function
@@ -162,7 +160,7 @@ def _at_tail_load(chain: Chain) -> FunctionSpec:
 
 def _equilibrium_functions() -> tuple[FunctionSpec, ...]:
     functions = []
-    for model in (linear(), nonlinear()):
+    for model in equilibrium.turning():
         chain = equilibrium.with_slope(model)
         slopes = (derivative(q, alpha) for q in (sum_M, equilibrium.gear_moment))
         results = (sum_M, *slopes, v, r)

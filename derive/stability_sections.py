@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from . import closed_forms as closed
 from . import equilibrium, gear_position, margins, worst_speed
 from .equation import Chain
-from .model import Model
 
 
-def stability_sections(models: Iterable[Model]) -> Iterator[tuple[str, Chain, str]]:
+def stability_sections() -> Iterator[tuple[str, Chain, str]]:
     """Title, chain and text of each section."""
-    for title, chain, text in _sections(models):
+    for title, chain, text in _sections():
         yield title, chain, " ".join(text.split())
 
 
-def _sections(models: Iterable[Model]) -> Iterator[tuple[str, Chain, str]]:
+def _sections() -> Iterator[tuple[str, Chain, str]]:
     matrix = (*closed.stiffnesses(), *closed.state_matrix())
     yield "Stability: axle stiffnesses and state matrix", matrix, ""
     yield "Stability: Routh–Hurwitz", closed.routh_hurwitz(), _ROUTH_HURWITZ
@@ -35,7 +34,7 @@ def _sections(models: Iterable[Model]) -> Iterator[tuple[str, Chain, str]]:
         *gear_position.at_tail_fraction(),
     )
     yield "Gear position: loads that follow it", loaded, _LOADED
-    for model in models:
+    for model in equilibrium.turning():
         title = f"Steady turns of the {model.name} model"
         yield title, equilibrium.equilibrium(model), _STEADY_TURNS
 

@@ -6,8 +6,10 @@ import pytest
 import sympy as sp
 from sympy.physics.vector import Vector, dynamicsymbols
 
+from groundloop.derive.catalogue import Module
 from groundloop.derive.components import Component, Force, disturbance, main_gear, slip_angle
 from groundloop.derive.equation import Equation, expand, merge, needed
+from groundloop.derive.equation_sheet import equation_sheet
 from groundloop.derive.kinematics import (
     BODY,
     GROUND,
@@ -113,6 +115,15 @@ def test_the_nose_wheel_needs_no_word_from_the_rest():
     assert car.inputs == (delta,)
     assert {l_n, C_n} < set(car.parameters)
     assert {str(q) for q in car.outputs} == {"alpha", "beta", "F_main", "a_y", "sum_F", "sum_M"}
+
+
+def test_a_model_without_a_tail_has_its_section_in_the_equation_sheet():
+    car = single_track_car()
+    sheet = equation_sheet([Module("car", car.summary, (), car)])
+    assert "## The car model" in sheet
+    assert "slip angle of the nose wheel" in sheet
+    assert "`C_n` | nose_wheel_stiffness" in sheet
+    assert "Steady turns of the nonlinear model" in sheet
 
 
 def test_velocity_of_a_point_off_the_centreline():
