@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import GroundloopError
-from .generated.names import QUANTITIES
+from .generated.names import MODELS, QUANTITIES
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -36,6 +36,13 @@ def finite(name: str, value: Any) -> FloatArray:
     if not good.all():
         raise GroundloopError(f"{name} must be finite, but {_where(name, array, ~good)}")
     return array
+
+
+def as_inputs(tire: str, force: FloatArray) -> FloatArray:
+    """Inputs of a model under a disturbance, shape (inputs, *shape): its first; others are zero."""
+    inputs = np.zeros((len(MODELS[tire].inputs), *force.shape))
+    inputs[0] = force
+    return inputs
 
 
 def physical(symbol: str, value: Any) -> FloatArray:

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, finite
+from .arrays import FloatArray, as_inputs, finite
 from .errors import GroundloopError
 from .evaluate import columns
 from .names import signature
@@ -91,9 +91,9 @@ class Gust:
             np.maximum(self.end, other.end),
         )
 
-    def on_runs(self, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
-        """Forces on runs of some shape, one row each, shape (1, runs, times)."""
-        return np.broadcast_to(self(t), (*shape, t.size)).reshape(1, -1, t.size)
+    def on_runs(self, tire: str, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
+        """Inputs of a model on runs of some shape, shape (inputs, runs, times)."""
+        return as_inputs(tire, np.broadcast_to(self(t), (*shape, t.size)).reshape(-1, t.size))
 
     def refuse_jumps(self, end: float) -> None:
         """Raise an error if the force or a derivative jumps before `end`, s, beside `breaks`.

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, finite
+from .arrays import FloatArray, as_inputs, finite
 from .errors import GroundloopError
 from .evaluate import columns, elementwise
 from .names import signature
@@ -270,7 +270,7 @@ def columns_at(
     )
     zero = np.zeros(p.shape[1])
     x = np.stack([flat.get(s, zero) for s in signature(tire).states])
-    return x, flat["disturbance"][None], p, shape
+    return x, as_inputs(tire, flat["disturbance"]), p, shape
 
 
 def modes_of(A: FloatArray) -> dict[str, FloatArray]:

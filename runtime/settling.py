@@ -64,7 +64,7 @@ def responses(run: Trajectory) -> list[Response | None]:
     )
     t = _grid(np.concatenate([begin, end, gust.breaks]), end.max())
     # what acts just before and just after each sample
-    sides = np.stack([gust.on_runs(shape, np.nextafter(t, to)) for to in (0.0, np.inf)])
+    sides = np.stack([gust.on_runs(run.tire, shape, np.nextafter(t, to)) for to in (0.0, np.inf)])
     final = sides[1, :, :, -1]
     decay_rate = np.broadcast_to(linearize(run.aircraft, run.tire).decay_rate, shape).ravel()
     hopeful = np.flatnonzero(decay_rate >= -_NEUTRAL)
@@ -119,7 +119,7 @@ def _under(
         return start
 
     def inputs(t: FloatArray) -> FloatArray:
-        return gust.on_runs(shape, t)[:, which]
+        return gust.on_runs(tire, shape, t)[:, which]
 
     after = integrate_varying(tire, "rk45", t[1:], x0[:, which], inputs, p[:, which], gust.breaks)
     return np.concatenate([start, after], axis=2)

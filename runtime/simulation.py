@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, finite
+from .arrays import FloatArray, as_inputs, finite
 from .errors import GroundloopError, unknown
 from .evaluate import columns
 from .generated.names import QUANTITIES
@@ -179,12 +179,12 @@ def simulate(
     p, flat, shape = aircraft.columns(tire, disturbance=at_start, **start)
     x0 = np.stack([flat[key] for key in start])
     if gust is None:
-        constant = flat["disturbance"][None]
+        constant = as_inputs(tire, flat["disturbance"])
         after = integrate(tire, method, times[1:], x0, constant, p)
         u = np.repeat(constant[:, :, None], times.size, axis=2)
     else:
         gust.refuse_jumps(duration)
-        inputs = partial(gust.on_runs, shape)
+        inputs = partial(gust.on_runs, tire, shape)
         after = integrate_varying(tire, method, times[1:], x0, inputs, p, gust.breaks)
         u = inputs(times)
     x = np.concatenate([x0.T[:, :, None], after], axis=2)
