@@ -29,8 +29,9 @@ def solver(
 ) -> Solver:
     """A function (x0, u, p) -> states over time, for loops in Python that call it often.
 
-    `groundloop.simulate` checks and names everything; this does the same integration by the
-    ensembles' kernel with nothing around it. Arguments are not checked.
+    `groundloop.simulate` checks and names everything; this is a kernel for single trajectories
+    with nothing around it, which sweeps towards the collocation solution. Arguments are not
+    checked.
 
     Parameters
     ----------
