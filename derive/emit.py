@@ -228,7 +228,7 @@ def _init_source(derived: tuple[Module, ...]) -> str:
         "",
         "import casadi as ca",
         "",
-        "from .library import StaleError, build, load",
+        "from .library import SOURCES, StaleError, build, load",
         "from .names import DIGEST, FUNCTIONS, MODELS, QUANTITIES, Quantity, Signature",
         "",
         "__all__ = [",
@@ -250,8 +250,8 @@ def _init_source(derived: tuple[Module, ...]) -> str:
 
 
 _EXPORTED = (
-    *("DIGEST", "FUNCTIONS", "MODELS", "QUANTITIES", "Quantity", "Signature", "StaleError"),
-    *("build", "load"),
+    *("DIGEST", "FUNCTIONS", "MODELS", "QUANTITIES", "SOURCES"),
+    *("Quantity", "Signature", "StaleError", "build", "load"),
 )
 
 

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest fec7c6c0e7946892) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 8654452e46a036e6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """CasADi functions generated from the derivation; see `names.FUNCTIONS` for the list.
 
 `from groundloop.generated import nonlinear_rk45` gives the compiled function; the
@@ -7,7 +7,7 @@ modules (`nonlinear`, `linear`, ...) hold the readable builders.
 
 import casadi as ca
 
-from .library import StaleError, build, load
+from .library import SOURCES, StaleError, build, load
 from .names import DIGEST, FUNCTIONS, MODELS, QUANTITIES, Quantity, Signature
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "FUNCTIONS",
     "MODELS",
     "QUANTITIES",
+    "SOURCES",
     "Quantity",
     "Signature",
     "StaleError",

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest fec7c6c0e7946892) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 8654452e46a036e6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Compiled functions by name: compiled on first use, cached by content, loaded as externals.
 
 Set ``GROUNDLOOP_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
@@ -27,6 +27,7 @@ from .names import DIGEST, FUNCTIONS
 
 #: Contraction is off so that compiled code and virtual machine agree to the last bit or nearly so.
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off", "-fPIC", "-shared")
+#: Folder of the C files.
 SOURCES = Path(__file__).resolve().parent / "c"
 
 
@@ -65,7 +66,13 @@ def load(name: str) -> ca.Function:
 
 
 def build(name: str) -> ca.Function:
-    """The function `name` in CasADi's virtual machine, from its Python source."""
+    """The function `name` in CasADi's virtual machine, from its Python source.
+
+    Raises
+    ------
+    KeyError
+        If there is no such function; the message names the nearest.
+    """
     module, builder, _ = _entry(name)
     function: ca.Function = getattr(importlib.import_module(f".{module}", __package__), builder)()
     return function

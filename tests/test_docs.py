@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+import subprocess
 from pathlib import Path
 
 import matplotlib as mpl
@@ -13,7 +14,7 @@ from groundloop.cli import main
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-BLOCK = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(python|console|c)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 def blocks(page: Path) -> list[tuple[str, str]]:
@@ -41,8 +42,13 @@ def test_code_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pytest.Mon
     for language, code in blocks(page):
         if language == "python":
             exec(compile(code, page.name, "exec"), namespace)
-            continue
-        for line in code.splitlines():
-            program, *arguments = shlex.split(line.removeprefix("$ "))
-            assert program == "groundloop"
-            assert exit_code(arguments) == 0, line
+        elif language == "c":
+            Path("roll.c").write_text(code, encoding="utf-8")
+        else:
+            for line in code.splitlines():
+                program, *arguments = shlex.split(line.removeprefix("$ "))
+                if program == "groundloop":
+                    assert exit_code(arguments) == 0, line
+                else:
+                    assert program in ("cc", "./roll"), line
+                    subprocess.run([program, *arguments], check=True)

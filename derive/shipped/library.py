@@ -26,6 +26,7 @@ from .names import DIGEST, FUNCTIONS
 
 #: Contraction is off so that compiled code and virtual machine agree to the last bit or nearly so.
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off", "-fPIC", "-shared")
+#: Folder of the C files.
 SOURCES = Path(__file__).resolve().parent / "c"
 
 
@@ -64,7 +65,13 @@ def load(name: str) -> ca.Function:
 
 
 def build(name: str) -> ca.Function:
-    """The function `name` in CasADi's virtual machine, from its Python source."""
+    """The function `name` in CasADi's virtual machine, from its Python source.
+
+    Raises
+    ------
+    KeyError
+        If there is no such function; the message names the nearest.
+    """
     module, builder, _ = _entry(name)
     function: ca.Function = getattr(importlib.import_module(f".{module}", __package__), builder)()
     return function
