@@ -20,6 +20,7 @@ from click.testing import CliRunner
 import groundloop as gl
 from groundloop import cli
 from groundloop.aircraft import packaged, parameter_symbols
+from groundloop.cli import output
 from groundloop.generated import DIGEST, MODELS, QUANTITIES
 from groundloop.template import template
 
@@ -389,6 +390,19 @@ def test_place_gives_the_station_its_worst_corner_and_a_picture(run, tmp_path: P
     assert re.search(
         r"main gear station \S+ mm = 26.\d\d in .* \(today 558.8 mm = 22.00 in\)", text
     )
+
+
+def test_headers_are_stacked_where_a_terminal_is_narrow(monkeypatch: pytest.MonkeyPatch):
+    header, rows = ["station [m]", "decay rate [1/s]", "beyond it"], [["0", "4.26", "nothing"]]
+    monkeypatch.setattr(output, "_width", lambda: 42)
+    assert len(output.table(header, rows, right=(0, 1)).splitlines()) == 2
+    monkeypatch.setattr(output, "_width", lambda: 41)
+    assert output.table(header, rows, right=(0, 1)).splitlines() == [
+        "           decay",
+        "  station   rate  beyond",
+        "      [m]  [1/s]  it",
+        "        0   4.26  nothing",
+    ]
 
 
 def test_fit_tire_reads_a_file(run, tmp_path: Path):

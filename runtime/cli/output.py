@@ -80,11 +80,14 @@ def say(message: str) -> None:
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]], right: Sequence[int] = ()) -> str:
-    """Aligned columns, those in `right` to the right; on a terminal the last one is wrapped."""
-    cells = [list(header), *(list(row) for row in rows)]
+    """Aligned columns, those in `right` to the right.
+
+    On a terminal that is too narrow headers are stacked and the last column is wrapped.
+    """
+    cells = [*_stacked(header, rows), *(list(row) for row in rows)]
     widths = [max(len(row[k]) for row in cells) for k in range(len(header))]
     before = sum(widths[:-1]) + 2 * len(widths[:-1]) + 2
-    room = max(_width() - before, 20)
+    room = max(_width() - before, 12)
     lines = []
     for row in cells:
         parts = [
@@ -98,6 +101,21 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]], right: Sequence[
         lines.append(("  " + "  ".join([*parts[:-1], last])).rstrip())
         lines += [" " * before + line for line in rest]
     return "\n".join(lines)
+
+
+def _stacked(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[list[str]]:
+    """The lines of a header: several if the words of one take too much width."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)] or [0] * len(header)
+    needed = sum(2 + max(pair) for pair in zip(widths, map(len, header), strict=True))
+    if needed <= _width():
+        return [list(header)]
+    cells = [
+        textwrap.wrap(cell, max(width, 1), break_long_words=False, break_on_hyphens=False)
+        for cell, width in zip(header, widths, strict=True)
+    ]
+    deepest = max(map(len, cells))
+    padded = [[""] * (deepest - len(lines)) + lines for lines in cells]
+    return [list(line) for line in zip(*padded, strict=True)]
 
 
 def filled(text: str) -> str:
