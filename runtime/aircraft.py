@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from dataclasses import replace as _replace
 from functools import cache, cached_property, partial
@@ -18,6 +18,7 @@ from .errors import GroundloopError
 from .evaluate import elementwise
 from .generated import build
 from .generated.names import FUNCTIONS, MODELS, QUANTITIES
+from .listing import Listed
 from .names import signature, symbol
 from .units import to_si
 
@@ -95,7 +96,7 @@ def _checked(key: str, value: Any) -> FloatArray:
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Aircraft:
+class Aircraft(Listed):
     """The parameters of an aircraft, by symbol (``a``) or full name (``main_gear_arm``).
 
     A parameter that is not given follows from others where it can: arms from stations, loads
@@ -306,17 +307,16 @@ class Aircraft:
         """Symbols of the parameters that have a value."""
         return (s for s in parameter_symbols() if s in self)
 
-    def __repr__(self) -> str:
-        lines = [f"Aircraft {self.name!r}: {self.title}"]
+    def _title(self) -> str:
+        return f"Aircraft {self.name!r}: {self.title}"
+
+    def _rows(self) -> Iterable[Sequence[str]]:
         for s in self:
             q = QUANTITIES[s]
             source = self.sources.get(s, Source())
             mark = "estimate: " if source.estimate else ""
             origin = shorten(mark + source.text, 60) if s in self.given else "follows"
-            lines.append(
-                f"  {s:<12}{_short(self[s]):>14} {q.unit:<12} {q.name:<32} {origin}".rstrip()
-            )
-        return "\n".join(lines)
+            yield s, f"{_short(self[s]):>14}", q.unit, q.name, origin
 
 
 def in_si(value: Any, key: str, where: str) -> Any:

@@ -15,6 +15,7 @@ from .errors import GroundloopError, unknown
 from .fates import FATES, ByteArray, Criterion, fates
 from .generated.names import QUANTITIES
 from .kicks import check_tire, kick
+from .listing import Pictured
 from .names import symbol
 from .plots import INK, style
 from .progress import Progress, counted
@@ -33,7 +34,7 @@ _SHOWN = {"rad/s": "deg/s", "rad": "deg"}
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Basin(Result):
+class Basin(Pictured, Result):
     """What becomes of an aircraft over two axes.
 
     Attributes

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,6 +13,7 @@ from .aircraft import Aircraft
 from .arrays import FloatArray
 from .generated.kernels import STATUS
 from .generated.names import QUANTITIES
+from .listing import Listed, span, unit_of
 from .names import signature, symbol
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
@@ -48,7 +49,7 @@ class Named(Mapping[str, FloatArray]):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Ensemble(Result):
+class Ensemble(Listed, Result):
     """What became of many trajectories; ``ens["v"]`` is an array over them.
 
     In tables and files extremes are called ``largest_alpha`` and ``first_alpha``, and with samples
@@ -162,26 +163,22 @@ class Ensemble(Result):
             **record.about,
         )
 
-    def __repr__(self) -> str:
+    def _title(self) -> str:
         counts = ", ".join(f"{n} {name}" for name, n in self.counts.items())
         shape = " x ".join(map(str, self.status.shape)) or "1"
-        lines = [
+        return (
             f"Ensemble of {self.aircraft.name!r}, {self.tire} tire: {shape} trajectories of"
             f" {self.t:g} s, tol {self.tol:g}: {counts}"
-        ]
+        )
+
+    def _rows(self) -> Iterable[Sequence[str]]:
         samples = f"at {self.at.size} times"
-        for title, arrays in (("at the end", self.final), (samples, self.samples)):
-            lines += [f"  {title:<12} {_line(s, values)}" for s, values in arrays.items()]
-        lines += [f"  {'largest':<12} {_line(s, values)}" for s, values in self.largest.items()]
-        for name, limit in self.limits.items():
-            share = np.isfinite(self.first[name]).mean()
-            unit = QUANTITIES[name].unit
-            lines.append(f"  {100 * share:.3g} % reach |{name}| = {limit:g} {unit}")
-        return "\n".join(lines)
+        parts = (("at the end", self.final), (samples, self.samples), ("largest", self.largest))
+        for words, arrays in parts:
+            for s, values in arrays.items():
+                yield words, s, QUANTITIES[s].name, span(values), unit_of(s)
 
-
-def _line(name: str, values: FloatArray) -> str:
-    q = QUANTITIES[name]
-    good = values[np.isfinite(values)]
-    span = f"{good.min():.4g} to {good.max():.4g}" if good.size else "nowhere finite,"
-    return f"{name:<10} {q.name:<22} {span} {q.unit}"
+    def _notes(self) -> Iterable[str]:
+        for s, limit in self.limits.items():
+            share = np.isfinite(self.first[s]).mean()
+            yield f"{100 * share:.3g} % reach |{s}| = {limit:g} {unit_of(s)}".rstrip()

@@ -8,6 +8,7 @@ survives if it straightens out before it leaves the runway or turns too far.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import Any
@@ -20,6 +21,7 @@ from .errors import GroundloopError
 from .evaluate import elementwise
 from .fates import FATES, OUT, ByteArray, Criterion, fates
 from .generated import build
+from .listing import Listed, span
 from .progress import Count, Progress, counted
 from .records import Column, Record, measured, run_dims
 from .results import Result
@@ -33,6 +35,8 @@ _NEAR, _NONE = 1e-3, 1e-7
 _LARGE_SLIP = math.radians(85)
 
 
+#: Cases that are listed one by one.
+_LISTED = 12
 #: Of each result the quantity that it is.
 _QUANTITIES = {
     "station": "x_S",
@@ -45,7 +49,7 @@ _QUANTITIES = {
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Survival(Result):
+class Survival(Listed, Result):
     """How hard a kick an aircraft survives; every array has the shape of the cases.
 
     Attributes
@@ -94,22 +98,25 @@ class Survival(Result):
         criterion, fate = Criterion(**record.about), record["fate"].astype(np.int8)
         return cls(record.aircraft, criterion=criterion, fate=fate, **results)
 
-    def __repr__(self) -> str:
-        c = self.criterion
-        lines = [
+    def _title(self) -> str:
+        c, cases = self.criterion, self.impulse.size
+        return (
             f"Survival of {self.aircraft.name!r} on ±{c.half_width:g} m, heading within"
-            f" {math.degrees(c.heading):g}°: {self.impulse.size} cases"
-        ]
-        if self.impulse.ndim == 0:
-            lines.append(
-                f"  {float(self.impulse):.5g} N s at {float(self.station):.4g} m"
-                f" (v + {float(self.velocity_change):.4g} m/s,"
-                f" r + {float(self.yaw_rate_change):.4g} rad/s);"
-                f" beyond it: {FATES[int(self.fate)]}"
-            )
-        else:
-            lines.append(f"  {self.impulse.min():.5g} to {self.impulse.max():.5g} N s")
-        return "\n".join(lines)
+            f" {math.degrees(c.heading):g}°: {cases} {'case' if cases == 1 else 'cases'}"
+        )
+
+    def _rows(self) -> Iterable[Sequence[str]]:
+        speed = np.broadcast_to(self.aircraft["u"], self.impulse.shape)
+        arrays = (self.impulse, self.station, speed, self.velocity_change, self.yaw_rate_change)
+        for k in range(min(self.impulse.size, _LISTED)):
+            S, x, u, dv, dr = (f"{np.ravel(array)[k]:.5g}" for array in arrays)
+            beyond = FATES[np.ravel(self.fate)[k]] if np.ravel(self.fate)[k] else "nothing tried"
+            added = f"v + {dv} m/s", f"r + {dr} rad/s"
+            yield f"{S} N s", f"at {x} m", f"{u} m/s", *added, f"beyond it: {beyond}"
+
+    def _notes(self) -> Iterable[str]:
+        if self.impulse.size > _LISTED:
+            yield f"and more: {span(self.impulse)} N s in all"
 
 
 def survival(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ from .aircraft import Aircraft
 from .arrays import FloatArray, as_inputs, finite
 from .errors import GroundloopError
 from .evaluate import columns, elementwise
+from .listing import Listed, span, unit_of
 from .names import signature
 from .records import Column, Record, measured, run_dims
 from .results import Result
@@ -56,7 +58,7 @@ class OperatingPoint:
 
 
 @dataclass(frozen=True, repr=False)
-class Linearization(Result):
+class Linearization(Listed, Result):
     """x' = drift + A (x - x_op) + B (u - u_op), y = y_op + C (x - x_op) + D (u - u_op).
 
     x = (v, r), u = (disturbance); the names are in `states`, `inputs`, `outputs`. With arrays
@@ -173,23 +175,18 @@ class Linearization(Result):
         tire = record.about["tire"]
         return cls(**parts, at=OperatingPoint(*at), aircraft=record.aircraft, tire=tire)
 
-    def _repr_html_(self) -> str:
-        from .notebook import linearization_to_html
-
-        return linearization_to_html(self)
-
-    def __repr__(self) -> str:
+    def _title(self) -> str:
         head = f"Linearization of {self.aircraft.name!r}, {self.tire} tire, at {self.at}"
         if self.decay_rate.ndim:
             stable = np.count_nonzero(self.decay_rate > 0)
-            return f"{head}\n  {self.decay_rate.shape} points, {stable} of them stable"
-        first, second = self.eigenvalues
-        verdict = "stable" if self.decay_rate > 0 else "unstable"
-        return (
-            f"{head}\n  eigenvalues {first:.5g}, {second:.5g} 1/s: {verdict}"
-            f"\n  decay rate {self.decay_rate:.5g} 1/s, damping ratio {self.damping_ratio:.4g},"
-            f" damped frequency {self.damped_frequency:.5g} rad/s"
-        )
+            return f"{head}: {self.decay_rate.shape} points, {stable} of them stable"
+        return f"{head}: {'stable' if self.decay_rate > 0 else 'unstable'}"
+
+    def _rows(self) -> Iterable[Sequence[str]]:
+        if not self.decay_rate.ndim:
+            yield "eigenvalues", ", ".join(f"{root:.5g}" for root in self.eigenvalues), "1/s"
+        for name in READ_OFF:
+            yield name, span(getattr(self, name)), unit_of(name)
 
 
 def linearize(

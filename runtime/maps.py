@@ -14,6 +14,7 @@ from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundloopError, unknown
 from .generated.names import MODELS, QUANTITIES
+from .listing import Pictured
 from .names import symbol
 from .records import Column, Record, measured
 from .results import Result
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, repr=False)
-class StabilityMap(Result):
+class StabilityMap(Pictured, Result):
     """A quantity of the linear model over two parameters.
 
     Attributes

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
@@ -12,6 +12,7 @@ import numpy as np
 from .arrays import FloatArray
 from .curve import Curve
 from .generated.names import QUANTITIES
+from .listing import Listed, span
 from .names import signature, symbol
 from .settling import responses
 
@@ -25,7 +26,7 @@ _NOTHING = (np.nan,) * 8
 
 
 @dataclass(frozen=True, repr=False)
-class Metrics:
+class Metrics(Listed):
     """Read-outs of the response of a state, y if no other is named, to a start or a disturbance.
 
     The response begins with the gust, or at t = 0 if the disturbance is constant; times count
@@ -91,15 +92,14 @@ class Metrics:
         "overshoot": "1",
     }
 
-    def __repr__(self) -> str:
+    def _title(self) -> str:
         states = [self.of] if isinstance(self.of, str) else self.of
-        lines = [f"Metrics of {', '.join(f'{s} ({QUANTITIES[s].name})' for s in states)}"]
+        return f"Metrics of {', '.join(f'{s} ({QUANTITIES[s].name})' for s in states)}"
+
+    def _rows(self) -> Iterable[Sequence[str]]:
         for name, unit in self.units.items():
-            value = np.asarray(getattr(self, name))
-            text = f"{float(value):.5g}" if value.ndim == 0 else f"array {value.shape}"
             own = unit or (QUANTITIES[self.of].unit if isinstance(self.of, str) else "")
-            lines.append(f"  {name:<14} {text} {'' if own == '1' else own}".rstrip())
-        return "\n".join(lines)
+            yield name, span(getattr(self, name)), "" if own == "1" else own
 
 
 def metrics(run: Trajectory, of: str | Sequence[str] = "y") -> Metrics:

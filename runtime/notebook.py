@@ -1,57 +1,51 @@
-"""Results in a notebook."""
+"""Tables and pictures for a notebook."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import base64
+from collections.abc import Callable, Iterable, Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from io import BytesIO
+from typing import Any
 
 import numpy as np
 
 from .arrays import FloatArray
-from .generated.names import QUANTITIES
-from .linearization import READ_OFF
+from .errors import GroundloopError
 
-if TYPE_CHECKING:
-    from .linearization import Linearization
-    from .simulation import Trajectory
-
-_STYLE = "text-align:right;padding:1px 8px"
+_CELL = "text-align:left;padding:1px 8px"
 
 
-def run_to_html(run: Trajectory) -> str:
-    """A run as a small table with a picture of each series, for a notebook."""
-    rows = [
-        (
-            f"{QUANTITIES[name].name.replace('_', ' ')} ({name})",
-            _sparkline(series.reshape(-1, run.t.size)),
-            f"{np.abs(series).max():.4g}",
-            f"{float(series[..., -1]):.4g}" if series.ndim == 1 else "",
-            QUANTITIES[name].unit,
-        )
-        for name, series in run.values.items()
-    ]
-    title = repr(run).splitlines()[0]
-    return _html(title, ("", "over time", "largest", "at the end", "unit"), rows)
+def table(title: str, rows: Iterable[Sequence[str]], notes: Iterable[str] = ()) -> str:
+    """A title, a table and lines below it; cells that are drawings stay as they are."""
+    lines = []
+    for row in rows:
+        cells = (cell if cell.startswith("<svg") else escape(cell) for cell in row)
+        line = "".join(f'<td style="{_CELL}">{cell}</td>' for cell in cells)
+        lines.append(f"<tr>{line}</tr>")
+    below = "".join(f"<div>{escape(note)}</div>" for note in notes)
+    return f"<div>{escape(title)}<table>{''.join(lines)}</table>{below}</div>"
 
 
-def linearization_to_html(lin: Linearization) -> str:
-    """A linearization as a small table, for a notebook."""
-    title = repr(lin).splitlines()[0]
-    if lin.decay_rate.ndim:
-        return f"<div>{escape(repr(lin)).replace(chr(10), '<br>')}</div>"
-    numbers = [
-        (f"eigenvalue {k}", f"{complex(root):.5g}", "1/s")
-        for k, root in enumerate(lin.eigenvalues, start=1)
-    ]
-    numbers += [
-        (name.replace("_", " "), f"{float(getattr(lin, name)):.5g}", QUANTITIES[name].unit)
-        for name in READ_OFF
-    ]
-    return _html(title, ("", "value", "unit"), numbers)
+def picture(text: str, plot: Callable[[], Any]) -> str:
+    """A text, and what is drawn by `plot` unless there is nothing to draw."""
+    from matplotlib import pyplot
+
+    words = f"<pre>{escape(text)}</pre>"
+    try:
+        drawn = plot()
+    except GroundloopError:
+        return f"<div>{words}</div>"
+    axes = drawn[0] if isinstance(drawn, tuple) else drawn
+    figure = getattr(axes, "figure", None) or axes
+    buffer = BytesIO()
+    figure.savefig(buffer, format="png", dpi=90)
+    pyplot.close(figure)
+    data = base64.b64encode(buffer.getvalue()).decode()
+    return f'<div>{words}<img src="data:image/png;base64,{data}"></div>'
 
 
-def _sparkline(lines: FloatArray, width: int = 120, height: int = 22) -> str:
+def sparkline(lines: FloatArray, width: int = 120, height: int = 22) -> str:
     """Series as one small picture, at most 60 points each and the first 8 of them."""
     few = lines[:8, np.unique(np.linspace(0, lines.shape[1] - 1, 60).astype(int))]
     low, high = float(few.min()), float(few.max())
@@ -60,18 +54,3 @@ def _sparkline(lines: FloatArray, width: int = 120, height: int = 22) -> str:
     paths = (" ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, row, strict=True)) for row in y)
     drawn = "".join(f'<polyline points="{p}" fill="none" stroke="#0072B2"/>' for p in paths)
     return f'<svg width="{width}" height="{height}">{drawn}</svg>'
-
-
-def _html(title: str, heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    """A table; texts that are pictures stay as they are."""
-    first = "".join(f'<th style="{_STYLE}">{escape(head)}</th>' for head in heads)
-    body = "".join(
-        "<tr>"
-        + "".join(
-            f'<td style="{_STYLE}">{cell if cell.startswith("<svg") else escape(cell)}</td>'
-            for cell in row
-        )
-        + "</tr>"
-        for row in rows
-    )
-    return f"<div>{escape(title)}<table><tr>{first}</tr>{body}</table></div>"

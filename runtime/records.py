@@ -12,7 +12,6 @@ import zlib
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields
 from functools import cached_property
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -78,6 +77,8 @@ def run_dims(shape: tuple[int, ...]) -> tuple[str, ...]:
 
 def provenance() -> dict[str, str]:
     """What results of this process come from: digest of the equations, versions of packages."""
+    from importlib.metadata import version  # takes as long to import as all the rest
+
     return {"equations": DIGEST, **{name: version(name) for name in _PACKAGES}}
 
 

@@ -12,8 +12,11 @@ import numpy as np
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundloopError
+from .generated.names import QUANTITIES
 from .linearization import ComplexArray, Linearization, OperatingPoint, linearize
+from .listing import Pictured, span, unit_of
 from .names import symbol
+from .wording import number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,8 +25,8 @@ if TYPE_CHECKING:
 _SPAN = 30.0
 
 
-@dataclass(frozen=True)
-class FrequencyResponse:
+@dataclass(frozen=True, repr=False)
+class FrequencyResponse(Pictured):
     """Steady response of an output to a sinusoidal input, about an operating point.
 
     Attributes
@@ -58,6 +61,24 @@ class FrequencyResponse:
         from .response_plot import bode
 
         return bode(self, ax, decibels)
+
+    def __repr__(self) -> str:
+        return (
+            f"FrequencyResponse of {_named(self.output)} to {_named(self.input)}:"
+            f" {span(self.frequency)} rad/s, {_many(self.response)}"
+            f"\n  largest magnitude {number(self.magnitude.max())}"
+            f" {QUANTITIES[self.output].unit} per {QUANTITIES[self.input].unit}"
+        )
+
+
+def _named(symbol: str) -> str:
+    return f"{QUANTITIES[symbol].name} ({symbol})"
+
+
+def _many(values: FloatArray | ComplexArray) -> str:
+    """How many samples, and of how many points."""
+    points = f" of {' x '.join(map(str, values.shape[:-1]))} points" if values.ndim > 1 else ""
+    return f"{values.shape[-1]} samples{points}"
 
 
 def frequency_response(
@@ -134,8 +155,8 @@ def _default_frequencies(lin: Linearization) -> FloatArray:
     return np.logspace(low, high, 400)
 
 
-@dataclass(frozen=True)
-class StepResponse:
+@dataclass(frozen=True, repr=False)
+class StepResponse(Pictured):
     """Response of an output to a step of an input, about an operating point.
 
     Attributes
@@ -161,6 +182,15 @@ class StepResponse:
         from .response_plot import step
 
         return step(self, ax)
+
+    def __repr__(self) -> str:
+        unit = QUANTITIES[self.input].unit
+        return (
+            f"StepResponse of {_named(self.output)} to {self.size:g} {unit} of"
+            f" {_named(self.input)}: 0 to {self.t[-1]:g} s, {_many(self.values)}"
+            f"\n  largest {number(np.abs(self.values).max())}, at the end"
+            f" {span(self.values[..., -1])} {unit_of(self.output)}"
+        )
 
 
 def step_response(
@@ -231,8 +261,8 @@ def exponential(matrix: FloatArray) -> FloatArray:
     return result
 
 
-@dataclass(frozen=True)
-class RootLocus:
+@dataclass(frozen=True, repr=False)
+class RootLocus(Pictured):
     """Eigenvalues over a parameter, each mode followed from value to value.
 
     Attributes
@@ -256,6 +286,14 @@ class RootLocus:
         from .response_plot import locus
 
         return locus(self, ax, unit)
+
+    def __repr__(self) -> str:
+        return (
+            f"RootLocus over {_named(self.parameter)}: {span(self.values)}"
+            f" {unit_of(self.parameter)}, {self.values.size} values"
+            f"\n  real parts {span(self.eigenvalues.real)} 1/s,"
+            f" imaginary parts {span(self.eigenvalues.imag)} rad/s"
+        )
 
 
 def root_locus(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -12,12 +13,14 @@ import numpy.typing as npt
 from . import generated
 from .arrays import FloatArray
 from .evaluate import columns
+from .generated.names import QUANTITIES
 from .linearization import ComplexArray, Linearization, columns_at
+from .listing import Listed, span, unit_of
 from .names import signature, symbol
 
 
-@dataclass(frozen=True)
-class Sensitivities:
+@dataclass(frozen=True, repr=False)
+class Sensitivities(Listed):
     """Exact derivatives of a linear model by the parameters of its aircraft.
 
     They are partial: the operating point stays, and so do parameters that would follow.
@@ -47,6 +50,15 @@ class Sensitivities:
     def __getitem__(self, name: str) -> ComplexArray:
         column = symbol(name, "parameter", self.parameters, "these sensitivities")
         return self.eigenvalues[..., self.parameters.index(column)]
+
+    def _title(self) -> str:
+        points = " x ".join(map(str, self.modes_meet.shape))
+        return f"Sensitivities of the decay rate{f', {points} points' if points else ''}"
+
+    def _rows(self) -> Iterable[Sequence[str]]:
+        for k, s in enumerate(self.parameters):
+            per = f" per {unit_of(s)}" if unit_of(s) else ""
+            yield s, QUANTITIES[s].name, span(self.decay_rate[..., k]), f"1/s{per}"
 
 
 #: Eigenvalues closer than this, relative to the larger, carry no digits of their difference.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -16,6 +16,7 @@ from .evaluate import columns
 from .generated.names import QUANTITIES
 from .gusts import Gust, as_gust, sampled
 from .integration import integrate, integrate_varying
+from .listing import Listed, span, unit_of
 from .names import signature, symbol
 from .records import Record, measured, run_dims, time_axis
 from .results import Result
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, repr=False)
-class Trajectory(Result):
+class Trajectory(Listed, Result):
     """A simulated ground roll; ``run["v"]`` or ``run["lateral_velocity"]`` is an array over time.
 
     Attributes
@@ -102,23 +103,27 @@ class Trajectory(Result):
         return cls(t, values, plane, tire, force, gust)
 
     def _repr_html_(self) -> str:
-        from .notebook import run_to_html
+        from .notebook import sparkline, table
 
-        return run_to_html(self)
+        rows = [
+            (s, words, sparkline(self[s].reshape(-1, self.t.size)), *rest)
+            for s, words, *rest in self._rows()
+        ]
+        return table(self._title(), rows)
 
-    def __repr__(self) -> str:
+    def _title(self) -> str:
         shape = self["v"].shape[:-1]
         many = f", {' x '.join(map(str, shape))} runs" if shape else ""
-        lines = [
+        return (
             f"Trajectory of {self.aircraft.name!r}, {self.tire} tire, 0 to {self.t[-1]:g} s,"
             f" {self.t.size} samples{many}"
-        ]
-        for name, series in self.values.items():
-            q = QUANTITIES[name]
-            peak, last = np.abs(series).max(), series[..., -1]
-            end = f", at the end {float(last):.4g}" if last.ndim == 0 else ""
-            lines.append(f"  {name:<13} {q.name:<22} max |.| {peak:.4g}{end} {q.unit}")
-        return "\n".join(lines)
+        )
+
+    def _rows(self) -> Iterable[Sequence[str]]:
+        for s, series in self.values.items():
+            end = f"at the end {span(series[..., -1])}"
+            peak = f"largest {np.abs(series).max():.5g}"
+            yield s, QUANTITIES[s].name, peak, end, unit_of(s)
 
 
 def simulate(

@@ -13,6 +13,7 @@ from .arrays import FloatArray, physical
 from .errors import GroundloopError, unknown
 from .evaluate import elementwise
 from .generated import build
+from .listing import Numbers
 from .polynomials import negative_stretch, roots
 
 #: Speeds, m/s, among which the worst is sought if the user names none.
@@ -21,8 +22,38 @@ SPEEDS = (1.0, 100.0)
 _LOADS = ("fixed", "follow")
 
 
-@dataclass(frozen=True)
-class Margins:
+#: Margin -> the generated function that gives it and the name of the result.
+CLOSED_FORMS = {
+    "trace": ("routh_hurwitz", "trace"),
+    "determinant": ("routh_hurwitz", "det"),
+    "discriminant": ("routh_hurwitz", "discriminant"),
+    "decay_rate": ("modes", "decay_rate"),
+    "damping_ratio": ("modes", "damping_ratio"),
+    "natural_frequency": ("modes", "natural_frequency"),
+    "damped_frequency": ("modes", "damped_frequency"),
+    "time_to_half": ("times", "T_half"),
+    "time_to_double": ("times", "T_double"),
+    "neutral_steer_point": ("steady_margins", "x_neutral"),
+    "static_margin": ("steady_margins", "static_margin"),
+    "understeer_gradient": ("steady_margins", "K_us"),
+    "stiffness_needed": ("tail_wheel_needed", "Ct_needed"),
+    "stiffness_needed_always": ("tail_wheel_always", "Ct_always"),
+    "speed_margin": ("tail_wheel_always", "speed_margin"),
+}
+
+#: The same for what is said of every speed at once.
+OVER_SPEED = {
+    "lower_critical_speed": ("speed_window", "u_low"),
+    "upper_critical_speed": ("speed_window", "u_high"),
+    "weakest_speed": ("weakest_speed", "u_weakest"),
+    "least_determinant": ("weakest_speed", "det_weakest"),
+    "speed_margin": ("tail_wheel_always", "speed_margin"),
+    "stiffness_needed_always": ("tail_wheel_always", "Ct_always"),
+}
+
+
+@dataclass(frozen=True, repr=False)
+class Margins(Numbers, of={name: symbol for name, (_, symbol) in CLOSED_FORMS.items()}):
     """How far an aircraft is from instability at a speed.
 
     Every attribute has the common shape of whatever was an array.
@@ -75,36 +106,6 @@ class Margins:
     speed_margin: FloatArray
 
 
-#: Margin -> the generated function that gives it and the name of the result.
-CLOSED_FORMS = {
-    "trace": ("routh_hurwitz", "trace"),
-    "determinant": ("routh_hurwitz", "det"),
-    "discriminant": ("routh_hurwitz", "discriminant"),
-    "decay_rate": ("modes", "decay_rate"),
-    "damping_ratio": ("modes", "damping_ratio"),
-    "natural_frequency": ("modes", "natural_frequency"),
-    "damped_frequency": ("modes", "damped_frequency"),
-    "time_to_half": ("times", "T_half"),
-    "time_to_double": ("times", "T_double"),
-    "neutral_steer_point": ("steady_margins", "x_neutral"),
-    "static_margin": ("steady_margins", "static_margin"),
-    "understeer_gradient": ("steady_margins", "K_us"),
-    "stiffness_needed": ("tail_wheel_needed", "Ct_needed"),
-    "stiffness_needed_always": ("tail_wheel_always", "Ct_always"),
-    "speed_margin": ("tail_wheel_always", "speed_margin"),
-}
-
-#: The same for what is said of every speed at once.
-OVER_SPEED = {
-    "lower_critical_speed": ("speed_window", "u_low"),
-    "upper_critical_speed": ("speed_window", "u_high"),
-    "weakest_speed": ("weakest_speed", "u_weakest"),
-    "least_determinant": ("weakest_speed", "det_weakest"),
-    "speed_margin": ("tail_wheel_always", "speed_margin"),
-    "stiffness_needed_always": ("tail_wheel_always", "Ct_always"),
-}
-
-
 def margins(plane: Aircraft, *, speed: Any = None) -> Margins:
     """Every margin of the linear model at a speed, in closed form.
 
@@ -148,8 +149,18 @@ def closed_form(function: str, plane: Aircraft, **given: FloatArray) -> dict[str
     return elementwise(function, {s: given[s] if s in given else plane[s] for s in names})
 
 
-@dataclass(frozen=True)
-class SpeedWindow:
+_WINDOW = {
+    "low": "u_low",
+    "high": "u_high",
+    "weakest": "u_weakest",
+    "least_determinant": "det_weakest",
+    "worst": "u",
+    "worst_decay_rate": "decay_rate",
+}
+
+
+@dataclass(frozen=True, repr=False)
+class SpeedWindow(Numbers, of=_WINDOW):
     """Speeds between which the linear model is unstable, and where it is worst.
 
     Attributes
@@ -233,8 +244,8 @@ def _worst_speed(
     return np.asarray(worst[0, ...]), np.asarray(rate[0, ...])
 
 
-@dataclass(frozen=True)
-class GearLimit:
+@dataclass(frozen=True, repr=False)
+class GearLimit(Numbers, of={"lost": "a", "regained": "a"}):
     """Positions of the main gear between which the aircraft is unstable at a speed.
 
     Attributes
@@ -294,8 +305,8 @@ def _at_tail_load(plane: Aircraft, share: FloatArray) -> dict[str, FloatArray]:
     return closed_form("at_tail_load", plane, tail_fraction=share)
 
 
-@dataclass(frozen=True)
-class GearEnvelope:
+@dataclass(frozen=True, repr=False)
+class GearEnvelope(Numbers, of={"lost": "a", "speed": "u"}):
     """The foremost position of the main gear that is stable at every speed of a range.
 
     Attributes

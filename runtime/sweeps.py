@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -16,6 +16,7 @@ from .chunks import check_memory, thread_count
 from .errors import GroundloopError, unknown
 from .evaluate import names_of, sweep_into
 from .linearization import ComplexArray
+from .listing import Listed, span, unit_of
 from .records import Record, measured, run_dims
 from .results import Result
 from .stability import CLOSED_FORMS, OVER_SPEED
@@ -33,7 +34,7 @@ _MODES = ("re_1", "im_1", "re_2", "im_2", "damping_ratio", "natural_frequency")
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Sweep(Result, Mapping[str, FloatArray]):
+class Sweep(Listed, Result, Mapping[str, FloatArray]):
     """Results by name, each of the shape of the points; ``sweep["decay_rate"]``.
 
     Attributes
@@ -73,14 +74,13 @@ class Sweep(Result, Mapping[str, FloatArray]):
         pairs = ((self["re_1"], self["im_1"]), (self["re_2"], self["im_2"]))
         return np.stack([re + 1j * im for re, im in pairs], axis=-1)
 
-    def __repr__(self) -> str:
+    def _title(self) -> str:
         shape = next(iter(self.arrays.values())).shape
-        lines = [f"Sweep of {self.aircraft.name!r}: {' x '.join(map(str, shape)) or 1} points"]
+        return f"Sweep of {self.aircraft.name!r}: {' x '.join(map(str, shape)) or 1} points"
+
+    def _rows(self) -> Iterable[Sequence[str]]:
         for name, array in self.arrays.items():
-            good = array[np.isfinite(array)]
-            span = f"{good.min():.4g} to {good.max():.4g}" if good.size else "nowhere finite"
-            lines.append(f"  {name:<24} {span}")
-        return "\n".join(lines)
+            yield name, span(array), unit_of(SWEPT[name][1])
 
 
 def sweep(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +15,7 @@ from .arrays import FloatArray, finite
 from .errors import GroundloopError
 from .evaluate import columns, elementwise
 from .linearization import OperatingPoint, modes_of
+from .listing import Listed
 from .names import signature, symbol
 from .records import Column, Record, measured, run_dims
 from .results import Result
@@ -34,7 +35,7 @@ _FLAT = 1e-12
 
 
 @dataclass(frozen=True, repr=False)
-class Trim(Result):
+class Trim(Listed, Result):
     """The steady turns of an aircraft; ``trim["v"]`` or ``trim["alpha"]`` holds all branches.
 
     Attributes
@@ -109,7 +110,7 @@ class Trim(Result):
             results, count=count, aircraft=record.aircraft, disturbance=force, **own, **record.about
         )
 
-    def __repr__(self) -> str:
+    def _title(self) -> str:
         head = f"Trim of {self.aircraft.name!r}, {self.tire} tire"
         if self.count.ndim:
             few, many = self.count.min(), self.count.max()
@@ -120,17 +121,14 @@ class Trim(Result):
                 " under a side force, and any sideslip is one without"
             )
         where = "" if math.isinf(self.slip) else f" with |alpha| <= {math.degrees(self.slip):g} deg"
-        if not self.count:
-            return f"{head}: no equilibrium{where}"
-        noun = "equilibrium" if self.count == 1 else "equilibria"
-        lines = [f"{head}: {self.count} {noun}{where}"]
-        for k, point in enumerate(self.points):
+        noun = "equilibrium" if self.count <= 1 else "equilibria"
+        return f"{head}: {self.count or 'no'} {noun}{where}"
+
+    def _rows(self) -> Iterable[Sequence[str]]:
+        for k, point in enumerate(() if self.count.ndim else self.points):
+            alpha = f"alpha {math.degrees(self['alpha'][k]):.4g} deg"
             verdict = "stable" if self.stable[k] else "unstable"
-            lines.append(
-                f"  v {point.v:.5g} m/s, r {point.r:.5g} rad/s,"
-                f" alpha {math.degrees(self['alpha'][k]):.4g} deg: {verdict}"
-            )
-        return "\n".join(lines)
+            yield f"v {point.v:.5g} m/s", f"r {point.r:.5g} rad/s", alpha, verdict
 
 
 def trim(

@@ -17,7 +17,7 @@ import pytest
 import xarray as xr
 
 import groundloop as gl
-from groundloop import notebook, records
+from groundloop import records
 from groundloop.generated.names import DIGEST
 from groundloop.results import KINDS
 
@@ -319,15 +319,3 @@ def test_a_missing_extra_is_named(
     monkeypatch.setattr(importlib, "import_module", without)
     with pytest.raises(gl.GroundloopError, match=rf"pip install 'groundloop\[{package}\]'"):
         getattr(run, f"to_{package}")()
-
-
-def test_notebooks_show_a_table(run: gl.Trajectory, many: gl.Trajectory) -> None:
-    html = run._repr_html_()
-    assert html.count("<svg") == len(run.values)
-    assert "lateral velocity (v)" in html
-    assert "<script" not in many._repr_html_()
-    lin = gl.linearize(run.aircraft)
-    assert "decay rate" in lin._repr_html_()
-    assert "3 of them" in notebook.linearization_to_html(
-        gl.linearize(run.aircraft.replace(a=np.array([0.1, 0.2, 0.3])))
-    )

@@ -106,7 +106,7 @@ def test_shapes_broadcast_and_the_largest_tried_is_said():
     assert (found.fate == 0).all()
     assert (found.impulse == 50.0).all()
     assert "6 cases" in repr(found)
-    assert "N s at" in repr(gl.survival(PLANE))
+    assert " N s  at 0 m  27.778 m/s " in repr(gl.survival(PLANE))
 
 
 @pytest.fixture(scope="module")

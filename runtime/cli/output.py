@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from groundloop.wording import number as number
+
 if TYPE_CHECKING:
     from groundloop.results import Result
 
@@ -150,16 +152,6 @@ def paragraph(text: str, mark: str = "-") -> str:
         break_long_words=False,
         break_on_hyphens=False,
     )
-
-
-def number(value: Any, digits: int = 5) -> str:
-    """A number in few digits; what is not a number or without end in words."""
-    x = float(value)
-    if math.isnan(x):
-        return "none"
-    if math.isinf(x):
-        return "infinite" if x > 0 else "-infinite"
-    return f"{0.0 if x == 0 else x:.{digits}g}"
 
 
 def shown(value: Any, unit: str) -> tuple[float, str]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from groundloop.arrays import FloatArray
 from groundloop.errors import GroundloopError, unknown
+from groundloop.listing import Pictured
 from groundloop.progress import Count, Progress, counted
 
 from .assess import assess, worst_displacement
@@ -35,7 +36,7 @@ AGAINST = {
 
 
 @dataclass(frozen=True, repr=False)
-class Front:
+class Front(Pictured):
     """Placements of which none is better in both respects.
 
     Attributes

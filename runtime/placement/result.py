@@ -13,6 +13,7 @@ import numpy as np
 from groundloop.aircraft import Aircraft
 from groundloop.consistency import as_written
 from groundloop.generated.names import QUANTITIES
+from groundloop.listing import Pictured
 from groundloop.progress import Progress
 from groundloop.simulation import Trajectory, simulate
 from groundloop.units import from_si
@@ -39,7 +40,7 @@ _SHOWN = {"m": "mm", "m^2": "m^2", "1": "1"}
 
 
 @dataclass(frozen=True, repr=False)
-class Placement:
+class Placement(Pictured):
     """Where the wheels should stand.
 
     Attributes
