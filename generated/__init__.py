@@ -1,9 +1,11 @@
-# Generated from derive/ (digest 8654452e46a036e6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest f25bda65ec8751ec) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """CasADi functions generated from the derivation; see `names.FUNCTIONS` for the list.
 
 `from groundloop.generated import nonlinear_rk45` gives the compiled function; the
 modules (`nonlinear`, `linear`, ...) hold the readable builders.
 """
+
+import difflib
 
 import casadi as ca
 
@@ -27,7 +29,9 @@ __all__ = [
 def __getattr__(name: str) -> ca.Function:
     if name in FUNCTIONS:
         return load(name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    near = difflib.get_close_matches(name, FUNCTIONS, n=3)
+    hint = f"; did you mean {' or '.join(near)}?" if near else ""
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}{hint}")
 
 
 def __dir__() -> list[str]:

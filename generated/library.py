@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 8654452e46a036e6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest f25bda65ec8751ec) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Compiled functions by name: compiled on first use, cached by content, loaded as externals.
 
 Set ``GROUNDLOOP_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
@@ -15,6 +15,7 @@ import os
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 import warnings
 from collections.abc import Sequence
@@ -137,7 +138,12 @@ def _run(command: Sequence[str]) -> str:
 
 
 def _compile(compiler: Sequence[str], flags: tuple[str, ...], source: Path, library: Path) -> None:
-    """Compile beside the target and move into place, so that nobody sees half a library."""
+    """Compile beside the target and move into place, so that nobody sees half a library.
+
+    Whoever sits at a terminal is told, because it may take seconds; over a line of patience.
+    """
+    if sys.stderr is not None and sys.stderr.isatty():
+        print(f"\rcompiling {source.stem}, once for this machine", file=sys.stderr)
     with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:
         product = Path(folder) / library.name
         _run([*compiler, *flags, str(source), "-o", str(product), "-lm"])

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 8654452e46a036e6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest f25bda65ec8751ec) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "8654452e46a036e6"
+DIGEST = "f25bda65ec8751ec"
 
 QUANTITIES = {
     q.symbol: q

@@ -468,3 +468,22 @@ def test_functions_are_attributes():
     assert set(generated.FUNCTIONS) < set(dir(generated))
     with pytest.raises(AttributeError, match="nonlinear_rk54"):
         _ = generated.nonlinear_rk54
+
+
+def test_whoever_sits_at_a_terminal_hears_of_compilation(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    monkeypatch.setattr(library, "_cache_folder", lambda: tmp_path)
+    library.compiled(library.SOURCES / "kick.c")
+    assert capsys.readouterr().err == ""
+    for file in tmp_path.iterdir():
+        file.unlink()
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    library.compiled(library.SOURCES / "kick.c")
+    library.compiled(library.SOURCES / "kick.c")
+    assert capsys.readouterr().err == "\rcompiling kick, once for this machine\n"
+
+
+def test_a_misspelt_function_is_answered_with_the_nearest():
+    with pytest.raises(AttributeError, match=r"did you mean .*nonlinear_rk45"):
+        generated.nonlinear_rk54  # noqa: B018

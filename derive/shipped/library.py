@@ -14,6 +14,7 @@ import os
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 import warnings
 from collections.abc import Sequence
@@ -136,7 +137,12 @@ def _run(command: Sequence[str]) -> str:
 
 
 def _compile(compiler: Sequence[str], flags: tuple[str, ...], source: Path, library: Path) -> None:
-    """Compile beside the target and move into place, so that nobody sees half a library."""
+    """Compile beside the target and move into place, so that nobody sees half a library.
+
+    Whoever sits at a terminal is told, because it may take seconds; over a line of patience.
+    """
+    if sys.stderr is not None and sys.stderr.isatty():
+        print(f"\rcompiling {source.stem}, once for this machine", file=sys.stderr)
     with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:
         product = Path(folder) / library.name
         _run([*compiler, *flags, str(source), "-o", str(product), "-lm"])

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 #: Seconds in which nothing is shown: most commands are done by then.
 _MOMENT = 1.0
-_PATIENCE = "computing (the first run compiles) ..."
+_PATIENCE = "computing ..."
 _WIPE, _WIPE_ABOVE = "\r\033[K", "\033[A\r\033[K"
 
 
