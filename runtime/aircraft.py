@@ -20,7 +20,6 @@ from .generated import build
 from .generated.names import FUNCTIONS, MODELS, QUANTITIES
 from .listing import Listed
 from .names import signature, symbol
-from .units import to_si
 
 #: What nothing follows from, but limits of the CG and of the gear are set by.
 _APART = ("x_forward", "x_aft", "h_cg", "u_lift")
@@ -183,7 +182,7 @@ class Aircraft(Listed):
             if value is None:
                 given.pop(key, None)
             else:
-                given[key] = _checked(key, in_si(value, key, name))
+                given[key] = _checked(key, value)
         return _replace(self, given=given, sources=sources)
 
     def __getitem__(self, name: str) -> FloatArray:
@@ -317,11 +316,6 @@ class Aircraft(Listed):
             mark = "estimate: " if source.estimate else ""
             origin = shorten(mark + source.text, 60) if s in self.given else "follows"
             yield s, f"{_short(self[s]):>14}", q.unit, q.name, origin
-
-
-def in_si(value: Any, key: str, where: str) -> Any:
-    """A value of the quantity `key` in its SI unit; only a string can have another."""
-    return to_si(value, QUANTITIES[key].unit, where) if isinstance(value, str) else value
 
 
 def packaged() -> tuple[str, ...]:

@@ -10,20 +10,23 @@ import numpy.typing as npt
 
 from .errors import GroundloopError
 from .generated.names import MODELS, QUANTITIES
+from .units import to_si
 
 FloatArray = npt.NDArray[np.float64]
 
 _SIGNS = {">0": (np.greater, "positive"), ">=0": (np.greater_equal, "zero or positive")}
 
 
-def finite(name: str, value: Any) -> FloatArray:
-    """`value` as an array of finite floats.
+def finite(name: str, value: Any, unit: str | None = None) -> FloatArray:
+    """`value` as an array of finite floats; strings in it have units, if the SI unit is told.
 
     Raises
     ------
     GroundloopError
         If it holds anything else; the message says what and where.
     """
+    if unit is not None:
+        value = _in_si(name, value, unit)
     try:
         array = np.asarray(value, dtype=np.float64)
         if np.asarray(value).dtype == np.bool_:
@@ -49,7 +52,7 @@ def physical(symbol: str, value: Any) -> FloatArray:
     """`value` as an array of finite floats of the sign that the quantity `symbol` must have."""
     quantity = QUANTITIES[symbol]
     label = f"{quantity.name} ({symbol})"
-    array = finite(label, value)
+    array = finite(label, value, quantity.unit)
     if quantity.sign:
         accept, words = _SIGNS[quantity.sign]
         good = accept(array, 0.0)
@@ -104,6 +107,13 @@ def check_out(name: str, array: Any, shape: tuple[int, ...]) -> None:
         f"{name} must be contiguous in C order, as np.empty({shape}) is; its strides are"
         f" {array.strides}"
     )
+
+
+def _in_si(name: str, value: Any, unit: str) -> Any:
+    """`value` with numbers in the SI unit in place of strings."""
+    if isinstance(value, str):
+        return to_si(value, unit, name)
+    return [_in_si(name, v, unit) for v in value] if isinstance(value, (list, tuple)) else value
 
 
 def _where(name: str, array: FloatArray, bad: npt.NDArray[np.bool_]) -> str:

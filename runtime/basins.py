@@ -145,11 +145,11 @@ def basin(
     x: tuple[str, Any],
     y: tuple[str, Any],
     *,
-    station: float = 0.0,
-    half_width: float = Criterion.half_width,
-    heading: float = Criterion.heading,
+    station: float | str = 0.0,
+    half_width: Any = Criterion.half_width,
+    heading: Any = Criterion.heading,
     settled: float = Criterion.settled,
-    t: float = Criterion.t,
+    t: Any = Criterion.t,
     threads: int | None = None,
     executor: Executor | None = None,
     progress: Progress = None,
@@ -194,24 +194,25 @@ def basin(
     varied = {name: value for name, value in grid.items() if name not in _STARTS}
     aircraft = plane.replace(**varied)
     check_tire(aircraft)
-    v, r = _start(grid, aircraft, station)
+    place = finite("station", station, "m")
+    v, r = _start(grid, aircraft, place)
     shape = (y_values.size, x_values.size)
     starts = np.broadcast_to(v, shape), np.broadcast_to(r, shape)
     options = {"threads": threads, "executor": executor}
     with counted(progress, "kicks", x_values.size * y_values.size) as done:
         fate, when = fates(aircraft, *starts, criterion, done.add, **options)
-    return Basin(x_name, y_name, x_values, y_values, fate, when, plane, float(station), criterion)
+    return Basin(x_name, y_name, x_values, y_values, fate, when, plane, float(place), criterion)
 
 
 def _start(
-    grid: Mapping[str, FloatArray], plane: Aircraft, station: float
+    grid: Mapping[str, FloatArray], plane: Aircraft, station: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """v and r: those of the grid, and what an impulse adds."""
     zero = np.zeros(())
     v, r = grid.get("v0", zero), grid.get("r0", zero)
     if "impulse" not in grid:
         return v, r
-    dv, dr = kick(finite("station", station), grid["impulse"], plane)
+    dv, dr = kick(station, grid["impulse"], plane)
     return v + dv, r + dr
 
 
@@ -227,7 +228,7 @@ def _axis(which: str, axis: tuple[str, Any]) -> tuple[str, FloatArray]:
         except GroundloopError:
             known = [QUANTITIES[s].name for s in parameter_symbols()]
             raise unknown("axis", key, [*_STARTS, *known, *parameter_symbols()]) from None
-    values = finite(f"{which} ({key})", given)
+    values = finite(f"{which} ({key})", given, QUANTITIES[_STARTS.get(key, key)].unit)
     if values.ndim != 1 or values.size < 2 or (np.diff(values) <= 0).any():
         raise GroundloopError(f"{which} ({key}) must be a list of two or more increasing values")
     return key, values

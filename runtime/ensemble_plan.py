@@ -147,11 +147,13 @@ def plan(
     values: Mapping[str, Any],
 ) -> Plan:
     model = signature(tire)
-    duration = _positive("t", t)
+    duration = _positive("t", t, "s")
     start, inputs, parameters = _sorted(tire, values)
     aircraft = plane.replace(**parameters)
-    x0 = {s: finite(f"{s}0", start.get(s, 0.0)) for s in model.states}
-    u = {s: finite(QUANTITIES[s].name, inputs.get(s, 0.0)) for s in model.inputs}
+    x0 = {s: finite(f"{s}0", start.get(s, 0.0), QUANTITIES[s].unit) for s in model.states}
+    u = {
+        s: finite(QUANTITIES[s].name, inputs.get(s, 0.0), QUANTITIES[s].unit) for s in model.inputs
+    }
     own = {f"{s}0": value for s, value in x0.items()}
     shape = common_shape({**aircraft.given, **u, **own})
     if 0 in shape:
@@ -183,19 +185,20 @@ def plan(
 def watching(
     plan: Plan,
     extremes: Iterable[str],
-    limits: Mapping[str, float],
-    within: Mapping[str, float],
+    limits: Mapping[str, float | str],
+    within: Mapping[str, float | str],
 ) -> Plan:
     """The plan with extremes, limits and ranges."""
     model = signature(plan.tire)
     allowed = (*model.states, *model.outputs)
 
-    def bounds(kind: str, given: Mapping[str, float]) -> dict[str, float]:
+    def bounds(kind: str, given: Mapping[str, float | str]) -> dict[str, float]:
         if not isinstance(given, Mapping):
             raise GroundloopError(f"{kind} must be a mapping of names to numbers, not {given!r}")
+        each = {symbol(name, "name", allowed, kind): (name, v) for name, v in given.items()}
         return {
-            symbol(name, "name", allowed, kind): _positive(f"{kind}[{name!r}]", value)
-            for name, value in given.items()
+            s: _positive(f"{kind}[{name!r}]", value, QUANTITIES[s].unit)
+            for s, (name, value) in each.items()
         }
 
     firsts, ranges = bounds("limits", limits), bounds("within", within)
@@ -239,8 +242,8 @@ def _list(what: str, names: Iterable[str]) -> list[str]:
     return list(names)
 
 
-def _positive(name: str, value: Any) -> float:
-    number = finite(name, value)
+def _positive(name: str, value: Any, unit: str | None = None) -> float:
+    number = finite(name, value, unit)
     if number.ndim or number <= 0:
         raise GroundloopError(f"{name} must be a positive number, not {value!r}")
     return float(number)
@@ -265,7 +268,7 @@ def check_tolerance(tol: Any) -> float:
 def _times(at: Any, duration: float) -> FloatArray:
     if at is None:
         return np.empty(0)
-    times = np.atleast_1d(finite("at", at))
+    times = np.atleast_1d(finite("at", at, "s"))
     if times.ndim != 1 or times.size == 0 or (np.diff(times) <= 0).any():
         raise GroundloopError("at must be a list of increasing times")
     if times[0] < 0 or times[-1] > duration:

@@ -20,14 +20,14 @@ from .vm_ensemble import integrate_in_vm
 
 def ensemble(
     plane: Aircraft,
-    t: float = 5.0,
+    t: float | str = 5.0,
     tire: str = "nonlinear",
     *,
     at: Any = None,
     names: Iterable[str] | None = None,
     extremes: Iterable[str] = (),
-    limits: Mapping[str, float] | None = None,
-    within: Mapping[str, float] | None = None,
+    limits: Mapping[str, float | str] | None = None,
+    within: Mapping[str, float | str] | None = None,
     tol: float = 1e-6,
     threads: int | None = None,
     executor: Executor | None = None,

@@ -51,10 +51,12 @@ class Criterion:
     t: float = 20.0
 
     def __post_init__(self) -> None:
-        for name, value in vars(self).items():
-            number = finite(name, value)
+        for name, unit in {"half_width": "m", "heading": "rad", "settled": "1", "t": "s"}.items():
+            value = getattr(self, name)
+            number = finite(name, value, unit)
             if number.ndim or number <= 0:
                 raise GroundloopError(f"{name} must be a positive number, not {value!r}")
+            object.__setattr__(self, name, float(number))
         if self.settled >= 1:
             raise GroundloopError(f"settled must be below 1, not {self.settled!r}")
 

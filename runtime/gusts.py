@@ -24,7 +24,6 @@ from .arrays import FloatArray, as_inputs, finite
 from .errors import GroundloopError
 from .evaluate import columns
 from .names import signature
-from .units import to_si
 
 #: What a function does whose derivative of order n - 1 jumps.
 _JUMPS = {1: "jumps", 2: "has a kink", 3: "changes its curvature"}
@@ -138,7 +137,7 @@ def one_minus_cosine(peak: Any, start: Any = 0.0, length: Any = 1.0) -> Gust:
     length : float, array or str
         How long it lasts, s.
     """
-    height, begin = _number("peak", peak, "N"), _number("start", start, "s")
+    height, begin = finite("peak", peak, "N"), finite("start", start, "s")
     duration = _positive("length", length, "s")
 
     def force(t: FloatArray) -> FloatArray:
@@ -162,8 +161,8 @@ def step(size: Any, start: Any = 0.0, end: Any = None) -> Gust:
     end : float, array or str, optional
         When it stops, s; never if omitted.
     """
-    height, begin = _number("size", size, "N"), _number("start", start, "s")
-    last = None if end is None else _number("end", end, "s")
+    height, begin = finite("size", size, "N"), finite("start", start, "s")
+    last = None if end is None else finite("end", end, "s")
     if last is not None and (last <= begin).any():
         raise GroundloopError(f"end must come after start, not {end} after {start}")
 
@@ -192,7 +191,7 @@ def sampled(t: Any, force: Any, *, hold: bool = False) -> Gust:
         If true each sample holds until the next, as a digital controller's output does;
         otherwise straight lines join them.
     """
-    times, values = finite("t", t), finite("force", force)
+    times, values = finite("t", t, "s"), finite("force", force, "N")
     if times.ndim != 1 or times.size == 0 or (np.diff(times) <= 0).any():
         raise GroundloopError("t must be a list of increasing times")
     if values.shape[-1:] != times.shape:
@@ -235,10 +234,10 @@ def of_time(
         Time, s, from which the force stays as it is then; it goes on for ever if omitted.
     """
     label = f"function {getattr(force, '__name__', type(force).__name__)}"
-    jumps = finite("breaks", breaks)
+    jumps = finite("breaks", breaks, "s")
     if end is None:
         return Gust(force, _times(jumps), label, complete=False)
-    last = finite("end", end)
+    last = finite("end", end, "s")
     return Gust(
         lambda t: force(np.minimum(t, last)),
         _times(jumps[jumps < last], last),
@@ -271,7 +270,7 @@ def crosswind(plane: Aircraft, wind: Any) -> FloatArray:
         Side force, N, to the right: what the vertical tail makes of this velocity.
     """
     names = signature("linear")
-    p, flat, shape = plane.columns("linear", wind=_number("wind", wind, "m/s"))
+    p, flat, shape = plane.columns("linear", wind=finite("wind", wind, "m/s"))
     x = np.zeros((len(names.states), p.shape[1]))
     x[names.states.index("v")] = flat["wind"]
     (y,) = columns("linear_outputs", x, np.zeros((len(names.inputs), p.shape[1])), p)
@@ -282,12 +281,8 @@ def _differences(force: FloatArray, order: int) -> FloatArray:
     return np.asarray(np.abs(np.diff(force, order)).max(axis=0))
 
 
-def _number(name: str, value: Any, unit: str) -> FloatArray:
-    return finite(name, to_si(value, unit, name) if isinstance(value, str) else value)
-
-
 def _positive(name: str, value: Any, unit: str) -> FloatArray:
-    number = _number(name, value, unit)
+    number = finite(name, value, unit)
     if (number <= 0).any():
         raise GroundloopError(f"{name} must be positive, not {value}")
     return number

@@ -123,10 +123,10 @@ def survival(
     plane: Aircraft,
     *,
     station: Any = 0.0,
-    half_width: float = Criterion.half_width,
-    heading: float = Criterion.heading,
+    half_width: Any = Criterion.half_width,
+    heading: Any = Criterion.heading,
     settled: float = Criterion.settled,
-    t: float = Criterion.t,
+    t: Any = Criterion.t,
     speed: Any = None,
     largest: Any = None,
     threads: int | None = None,
@@ -173,7 +173,7 @@ def survival(
     criterion = Criterion(half_width, heading, settled, t)
     check_tire(aircraft)
     own = {s: aircraft[s] for s in ("u", "b", "m", "Izz")}
-    place = finite("station", station)
+    place = finite("station", station, "m")
     arrays, shape = broadcast({**aircraft.given, **own, "station": place})
     unit = kick(arrays["station"], 1.0, arrays)
     top = _top(arrays, unit) if largest is None else _positive(largest, shape)
@@ -250,7 +250,12 @@ def _bracket(
 
 def kick(station: FloatArray, impulse: Any, plane: Any) -> tuple[FloatArray, FloatArray]:
     """Changes of v and r by an impulse at a station."""
-    given = {"S": finite("impulse", impulse), "x_S": station, "m": plane["m"], "Izz": plane["Izz"]}
+    given = {
+        "S": finite("impulse", impulse, "N s"),
+        "x_S": station,
+        "m": plane["m"],
+        "Izz": plane["Izz"],
+    }
     changes = elementwise("kick", given)
     return changes["dv"], changes["dr"]
 
@@ -263,7 +268,7 @@ def _top(plane: dict[str, FloatArray], unit: tuple[FloatArray, FloatArray]) -> F
 
 
 def _positive(largest: Any, shape: tuple[int, ...]) -> FloatArray:
-    value = finite("largest", largest)
+    value = finite("largest", largest, "N s")
     if (value <= 0).any():
         raise GroundloopError(f"largest must be positive, not {largest!r}")
     arrays, _ = broadcast({"largest": value, "the cases": np.empty(shape)})

@@ -56,6 +56,12 @@ class OperatingPoint:
     r: Any = 0.0
     disturbance: Any = 0.0
 
+    def in_si(self) -> OperatingPoint:
+        """The same with numbers and arrays only."""
+        v, r = finite("at.v", self.v, "m/s"), finite("at.r", self.r, "rad/s")
+        force = finite("disturbance", self.disturbance, "N")
+        return OperatingPoint(*(x if x.ndim else float(x) for x in (v, r, force)))
+
 
 @dataclass(frozen=True, repr=False)
 class Linearization(Listed, Result):
@@ -220,6 +226,7 @@ def linearize(
     point = at or OperatingPoint()
     if disturbance is not None:
         point = OperatingPoint(point.v, point.r, disturbance)
+    point = point.in_si()
     names = signature(tire)
     aircraft = plane if speed is None else plane.replace(u=speed)
     x, u, p, shape = columns_at(aircraft, tire, point)

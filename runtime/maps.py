@@ -252,7 +252,7 @@ def _axis(which: str, axis: tuple[str, Any]) -> tuple[str, FloatArray]:
     except (TypeError, ValueError):
         raise GroundloopError(f"{which} must be a pair (name, values), not {axis!r}") from None
     key = symbol(str(name), "parameter", parameter_symbols(), f"{which} of the map")
-    values = finite(f"{which} ({key})", given)
+    values = finite(f"{which} ({key})", given, QUANTITIES[key].unit)
     if values.ndim != 1 or values.size < 2 or (np.diff(values) <= 0).any():
         raise GroundloopError(f"{which} ({key}) must be a list of two or more increasing values")
     return key, values

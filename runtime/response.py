@@ -198,8 +198,8 @@ def step_response(
     output: str,
     input: str = "disturbance",
     *,
-    size: float = 1.0,
-    t: float = 5.0,
+    size: float | str = 1.0,
+    t: float | str = 5.0,
     samples: int = 501,
 ) -> StepResponse:
     """Exact response to a step at t = 0, by the matrix exponential.
@@ -225,7 +225,8 @@ def step_response(
         Deviation from the operating point; what the drift there does is not in it.
     """
     B, C, D, names = _channel(lin, output, input)
-    duration, height = float(finite("t", t)), float(finite("size", size))
+    duration = float(finite("t", t, "s"))
+    height = float(finite("size", size, QUANTITIES[names[1]].unit))
     if duration <= 0 or int(samples) != samples or samples < 2:
         raise GroundloopError(f"t must be positive and samples at least 2, not {t} and {samples}")
     times = np.linspace(0.0, duration, int(samples))
@@ -327,7 +328,7 @@ def root_locus(
         With each mode in a column of its own.
     """
     key = symbol(parameter, "parameter", parameter_symbols(), "root_locus")
-    swept = finite(f"values of {key}", values)
+    swept = finite(f"values of {key}", values, QUANTITIES[key].unit)
     steps = np.diff(swept)
     if swept.ndim != 1 or swept.size < 2 or not ((steps > 0).all() or (steps < 0).all()):
         raise GroundloopError(f"values of {key} must be a list that increases or decreases")

@@ -130,7 +130,7 @@ def simulate(
     plane: Aircraft,
     tire: str = "nonlinear",
     *,
-    t: float = 5.0,
+    t: float | str = 5.0,
     samples: int = 501,
     speed: Any = None,
     disturbance: Any = 0.0,
@@ -138,6 +138,8 @@ def simulate(
     **initial: Any,
 ) -> Trajectory:
     """Simulate the ground roll of an aircraft, hands off.
+
+    As everywhere, a number may be a string with a unit: ``v0="1 kt"``, ``disturbance="70 lbf"``.
 
     Parameters
     ----------
@@ -172,14 +174,14 @@ def simulate(
         For unknown names, values that cannot be, or a run that leaves the numbers.
     """
     names = signature(tire)
-    duration = float(finite("t", t))
+    duration = float(finite("t", t, "s"))
     if duration <= 0 or int(samples) != samples or samples < 2:
         raise GroundloopError(f"t must be positive and samples at least 2, not {t} and {samples}")
     aircraft = plane if speed is None else plane.replace(u=speed)
     times = np.linspace(0.0, duration, int(samples))
     start = _initial_state(initial, names.states)
     gust = as_gust(disturbance)
-    force = finite("disturbance", disturbance) if gust is None else gust(times)
+    force = finite("disturbance", disturbance, "N") if gust is None else gust(times)
     at_start = force if gust is None else force[..., 0]
     p, flat, shape = aircraft.columns(tire, disturbance=at_start, **start)
     x0 = np.stack([flat[key] for key in start])
@@ -212,8 +214,8 @@ def _outputs(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArr
 
 
 def _initial_state(initial: Mapping[str, Any], states: tuple[str, ...]) -> dict[str, FloatArray]:
-    allowed = [f"{s}0" for s in states]
+    allowed = {f"{s}0": QUANTITIES[s].unit for s in states}
     for name in initial:
         if name not in allowed:
             raise unknown("argument", name, [*allowed, "speed", "disturbance"], "simulate")
-    return {key: finite(key, initial.get(key, 0.0)) for key in allowed}
+    return {key: finite(key, initial.get(key, 0.0), unit) for key, unit in allowed.items()}

@@ -137,7 +137,7 @@ def trim(
     *,
     speed: Any = None,
     disturbance: Any = 0.0,
-    slip: float = SLIP,
+    slip: float | str = SLIP,
 ) -> Trim:
     """Find every steady turn of an aircraft under a steady side force on its tail.
 
@@ -172,15 +172,15 @@ def trim(
     GroundloopError
         For unknown names, values that cannot be, or a range that is none.
     """
-    if not 0 < float(finite("slip", slip)) < math.pi / 2:
+    widest = float(finite("slip", slip, "rad"))
+    if not 0 < widest < math.pi / 2:
         raise GroundloopError(f"slip must be between 0 and a right angle (pi/2), not {slip}")
     aircraft = plane if speed is None else plane.replace(u=speed)
-    force = finite("disturbance", disturbance)
+    force = finite("disturbance", disturbance, "N")
     p, flat, shape = aircraft.columns(tire, disturbance=force)
     balance = _Balance(tire, p, flat["disturbance"])
-    widest = math.inf if tire == "linear" else float(slip)
     search = _only_root if tire == "linear" else _all_roots
-    found, singular = search(balance, float(slip))
+    found, singular = search(balance, widest)
     found = _polished(balance, found)
     values, stable, decay_rate, count = _gathered(balance, found)
 
@@ -193,7 +193,7 @@ def trim(
         stable=shaped(stable),
         decay_rate=shaped(decay_rate),
         singular=shaped(singular),
-        slip=widest,
+        slip=math.inf if tire == "linear" else widest,
         aircraft=aircraft,
         tire=tire,
         disturbance=force,

@@ -23,6 +23,7 @@ _KINDS = {
     "kg/m^3": "a density",
     "N": "a force",
     "N m": "a moment",
+    "N s": "an impulse",
     "N/rad": "a stiffness",
     "1/rad": "a slope over angle",
     "rad": "an angle",

@@ -157,7 +157,8 @@ def test_metrics_of_several_runs_and_of_an_unstable_one(plane: gl.Aircraft) -> N
     [
         ({"v0": np.nan}, "v0 must be finite"),
         ({"v0": [0.1, np.inf]}, r"v0\[1\] = inf"),
-        ({"v0": "fast"}, "must be a number"),
+        ({"v0": "fast"}, "v0: found 'fast', which is not a number with a unit; expected a speed"),
+        ({"v0": "1 kg"}, "v0: found '1 kg', a mass; expected a speed"),
         ({"speed": 0.0}, "speed .* must be positive"),
         ({"speed": -3.0}, "must be positive"),
         ({"disturbance": np.nan}, "disturbance must be finite"),

@@ -31,7 +31,7 @@ class _Limit(options.ParamType):
     name = "name=value"
 
     def convert(self, value: Any, param: Any, ctx: Any) -> tuple[str, float]:
-        from groundloop.aircraft import in_si
+        from groundloop.arrays import finite
         from groundloop.errors import GroundloopError
         from groundloop.names import symbol
 
@@ -43,7 +43,7 @@ class _Limit(options.ParamType):
         model = MODELS["nonlinear"]
         try:
             key = symbol(name, "name", (*model.states, *model.outputs))
-            return key, float(in_si(text, key, name))
+            return key, float(finite(name, text, QUANTITIES[key].unit))
         except GroundloopError as problem:
             self.fail(str(problem), param, ctx)
 

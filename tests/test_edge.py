@@ -1,0 +1,67 @@
+"""What a caller hands in: strings with units anywhere, and mistakes that are named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundloop as gl
+
+
+@pytest.mark.parametrize(
+    ("call", "text", "si", "read"),
+    [
+        (lambda p, x: gl.simulate(p, v0=x, t=0.1, samples=3), "36 km/h", 10.0, lambda r: r["v"]),
+        (lambda p, x: gl.simulate(p, v0=1.0, t=x, samples=3), "500 ms", 0.5, lambda r: r["v"]),
+        (
+            lambda p, x: gl.simulate(p, disturbance=x, t=0.1, samples=3),
+            "0.3 kN",
+            300.0,
+            lambda r: r["v"],
+        ),
+        (lambda p, x: gl.ensemble(p, v0=[x, 0.1], t=0.1), "36 km/h", 10.0, lambda e: e["v"]),
+        (
+            lambda p, x: gl.ensemble(p, v0=1.0, t=0.1, limits={"psi": x}),
+            "180 deg",
+            np.pi,
+            lambda e: e.limits["psi"],
+        ),
+        (lambda p, x: gl.linearize(p, disturbance=x), "1 kN", 1000.0, lambda lin: lin.drift),
+        (
+            lambda p, x: gl.linearize(p, at=gl.OperatingPoint(r=x)),
+            "180 deg/s",
+            np.pi,
+            lambda lin: lin.A,
+        ),
+        (lambda p, x: gl.trim(p, disturbance=x), "1 kN", 1000.0, lambda t: t["v"]),
+        (lambda p, x: gl.speed_window(p, speeds=(5.0, x)), "36 km/h", 10.0, lambda w: w.worst),
+        (
+            lambda p, x: gl.stability_map(p, ("speed", [5.0, x]), ("a", [0.1, 0.2])),
+            "36 km/h",
+            10.0,
+            lambda m: m.x,
+        ),
+        (
+            lambda p, x: gl.step_response(gl.linearize(p), "v", size=x),
+            "1 kN",
+            1e3,
+            lambda s: s.size,
+        ),
+    ],
+)
+def test_whatever_has_a_unit_takes_it_as_a_string(
+    call: Callable[[gl.Aircraft, Any], Any], text: str, si: float, read: Callable[[Any], Any]
+) -> None:
+    plane = gl.Aircraft.load("brott")
+    assert np.array_equal(read(call(plane, text)), read(call(plane, si)))
+
+
+def test_a_kick_takes_units() -> None:
+    plane = gl.Aircraft.load("brott-physical")
+    kick = gl.survival(plane, station="-1 ft", half_width="50 ft", heading="30 deg", t="10 s")
+    same = gl.survival(plane, station=-0.3048, half_width=15.24, heading=np.radians(30), t=10.0)
+    assert kick.impulse == pytest.approx(same.impulse, rel=1e-2)
+    assert vars(kick.criterion) == pytest.approx(vars(same.criterion), rel=1e-14)
