@@ -36,6 +36,11 @@ def _ways(key: str) -> tuple[str, ...]:
     return tuple(key + ending for ending in _WAYS if key + ending in FUNCTIONS)
 
 
+def _origins(key: str) -> tuple[str, ...]:
+    """What goes directly into the functions by which a parameter follows."""
+    return tuple(dict.fromkeys(s for way in _ways(key) for s in build(way).name_in()))
+
+
 @cache
 def parameter_symbols() -> tuple[str, ...]:
     """What an aircraft may be given: parameters of the models, of what follows, and limits."""
@@ -266,6 +271,8 @@ class Aircraft(Listed):
         """
         names = signature(tire).parameters
         arrays, shape = broadcast({**{s: self[s] for s in names}, **others})
+        if 0 in shape:
+            raise GroundloopError(f"nothing is given: the arrays broadcast to {shape}")
         flat = {name: array.ravel() for name, array in arrays.items()}
         return np.stack([flat[s] for s in names]), {name: flat[name] for name in others}, shape
 
@@ -282,7 +289,17 @@ class Aircraft(Listed):
         found = np.asarray(np.nan)
         for _, value in self._found(key):
             found = np.where(np.isnan(found), value, found)
-        return physical(key, found)
+        try:
+            return physical(key, found)
+        except GroundloopError as problem:
+            raise GroundloopError(f"aircraft {self.name}: {problem}{self._why(key)}") from None
+
+    def _why(self, key: str) -> str:
+        """From what a parameter follows, and what is not given that would have a say in it."""
+        known = ", ".join(_label(s) for s in _origins(key) if s in self)
+        every = dict.fromkeys(x for s in _origins(key) for x in (s, *_origins(s)))
+        missing = " and ".join(_label(s) for s in every if s not in self)
+        return f"; it follows from {known}" + (f", without {missing}" if missing else "")
 
     def _found(self, key: str) -> Iterator[tuple[str, FloatArray]]:
         """Functions by which a parameter follows, with what each gives, until nothing is NaN."""

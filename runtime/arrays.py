@@ -41,6 +41,22 @@ def finite(name: str, value: Any, unit: str | None = None) -> FloatArray:
     return array
 
 
+def positive(name: str, value: Any, unit: str | None = None) -> float:
+    """`value` as one positive number."""
+    number = finite(name, value, unit)
+    if number.ndim or number <= 0:
+        raise GroundloopError(f"{name} must be a positive number, not {value!r}")
+    return float(number)
+
+
+def whole(name: str, value: Any, least: int) -> int:
+    """`value` as a whole number, not below `least`."""
+    number = finite(name, value)
+    if number.ndim or number < least or number % 1:
+        raise GroundloopError(f"{name} must be a whole number from {least}, not {value!r}")
+    return int(number)
+
+
 def as_inputs(tire: str, force: FloatArray) -> FloatArray:
     """Inputs of a model under a disturbance, shape (inputs, *shape): its first; others are zero."""
     inputs = np.zeros((len(MODELS[tire].inputs), *force.shape))

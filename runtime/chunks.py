@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from .arrays import FloatArray
+from .arrays import FloatArray, whole
 from .errors import GroundloopError
 
 T = TypeVar("T")
@@ -95,9 +95,7 @@ def thread_count(threads: Any) -> int:
     """Number of threads to use; every processor this process may run on if None."""
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
-    if isinstance(threads, bool) or int(threads) != threads or threads < 1:
-        raise GroundloopError(f"threads must be a whole number from 1, not {threads!r}")
-    return int(threads)
+    return whole("threads", threads, 1)
 
 
 def check_memory(needed: int, what: str) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .aircraft import Aircraft, parameter_symbols
-from .arrays import FloatArray, common_shape, finite
+from .arrays import FloatArray, common_shape, finite, positive, whole
 from .chunks import piece
 from .ensemble_result import Ensemble, Named
 from .errors import GroundloopError, unknown
@@ -147,7 +147,7 @@ def plan(
     values: Mapping[str, Any],
 ) -> Plan:
     model = signature(tire)
-    duration = _positive("t", t, "s")
+    duration = positive("t", t, "s")
     start, inputs, parameters = _sorted(tire, values)
     aircraft = plane.replace(**parameters)
     x0 = {s: finite(f"{s}0", start.get(s, 0.0), QUANTITIES[s].unit) for s in model.states}
@@ -164,9 +164,7 @@ def plan(
         wanted = model.states if path else KERNELS[f"{tire}_body"].states
     else:
         allowed = (*model.states, *model.outputs) if times.size else model.states
-        wanted = tuple(symbol(n, "name", allowed, "names") for n in _list("names", names))
-    if isinstance(chunk, bool) or int(chunk) != chunk or chunk < 1:
-        raise GroundloopError(f"chunk must be a whole number from 1, not {chunk!r}")
+        wanted = tuple(symbol(n, "name", allowed, "names") for n in listed("names", names))
     made = Plan(
         aircraft=aircraft,
         tire=tire,
@@ -177,7 +175,7 @@ def plan(
         tol=check_tolerance(tol),
         at=times,
         names=tuple(dict.fromkeys(wanted)),
-        chunk=int(chunk),
+        chunk=whole("chunk", chunk, 1),
     )
     return replace(made, chunk=min(made.chunk, max(32, _CHUNK_BYTES // made.bytes_each)))
 
@@ -197,12 +195,12 @@ def watching(
             raise GroundloopError(f"{kind} must be a mapping of names to numbers, not {given!r}")
         each = {symbol(name, "name", allowed, kind): (name, v) for name, v in given.items()}
         return {
-            s: _positive(f"{kind}[{name!r}]", value, QUANTITIES[s].unit)
+            s: positive(f"{kind}[{name!r}]", value, QUANTITIES[s].unit)
             for s, (name, value) in each.items()
         }
 
     firsts, ranges = bounds("limits", limits), bounds("within", within)
-    every = [symbol(n, "name", allowed, "extremes") for n in _list("extremes", extremes)]
+    every = [symbol(n, "name", allowed, "extremes") for n in listed("extremes", extremes)]
     watched = tuple(dict.fromkeys([*every, *firsts, *ranges]))
     return replace(plan, watched=watched, limits=firsts, within=ranges)
 
@@ -236,17 +234,10 @@ def _parameter_names() -> dict[str, None]:
     return dict.fromkeys(n for s in parameter_symbols() for n in (s, QUANTITIES[s].name))
 
 
-def _list(what: str, names: Iterable[str]) -> list[str]:
+def listed(what: str, names: Iterable[str]) -> list[str]:
     if isinstance(names, str):
         raise GroundloopError(f"{what} must be a list of names, not the string {names!r}")
     return list(names)
-
-
-def _positive(name: str, value: Any, unit: str | None = None) -> float:
-    number = finite(name, value, unit)
-    if number.ndim or number <= 0:
-        raise GroundloopError(f"{name} must be a positive number, not {value!r}")
-    return float(number)
 
 
 def smallest_kernel(tire: str, names: Iterable[str]) -> str:
@@ -258,7 +249,7 @@ def smallest_kernel(tire: str, names: Iterable[str]) -> str:
 
 def check_tolerance(tol: Any) -> float:
     """`tol` as a number in the range that is offered."""
-    number = _positive("tol", tol)
+    number = positive("tol", tol)
     finest, coarsest = TOLERANCES
     if not finest <= number <= coarsest:
         raise GroundloopError(f"tol must be from {finest:g} to {coarsest:g}, not {number:g}")

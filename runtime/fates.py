@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, common_shape, finite
+from .arrays import FloatArray, common_shape, finite, positive
 from .chunks import cut, piece, run
 from .ensemble_result import Ensemble
 from .ensembles import ensemble
@@ -52,11 +52,7 @@ class Criterion:
 
     def __post_init__(self) -> None:
         for name, unit in {"half_width": "m", "heading": "rad", "settled": "1", "t": "s"}.items():
-            value = getattr(self, name)
-            number = finite(name, value, unit)
-            if number.ndim or number <= 0:
-                raise GroundloopError(f"{name} must be a positive number, not {value!r}")
-            object.__setattr__(self, name, float(number))
+            object.__setattr__(self, name, positive(name, getattr(self, name), unit))
         if self.settled >= 1:
             raise GroundloopError(f"settled must be below 1, not {self.settled!r}")
 

@@ -21,10 +21,13 @@ import numpy as np
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, as_inputs, finite
+from .chunks import check_memory
 from .errors import GroundloopError
 from .evaluate import columns
 from .names import signature
 
+#: Bytes for each millisecond in which a jump is looked for.
+_CHECKED = 8 * 5 * 3
 #: What a function does whose derivative of order n - 1 jumps.
 _JUMPS = {1: "jumps", 2: "has a kink", 3: "changes its curvature"}
 
@@ -105,6 +108,7 @@ class Gust:
         marks = [0.0, *(b for b in self.breaks if 0 < b < end), end]
         for begin, last in pairwise(marks):
             pieces = max(8, math.ceil((last - begin) / 1e-3))
+            check_memory(_CHECKED * pieces, f"the times at which {self.label} is looked at")
             coarse, fine = (self._inside(begin, last, n) for n in (pieces, 4 * pieces))
             for order in (1, 2, 3):
                 before, after = (_differences(force, order) for force in (coarse, fine))
@@ -233,6 +237,8 @@ def of_time(
     end : float, optional
         Time, s, from which the force stays as it is then; it goes on for ever if omitted.
     """
+    if not callable(force):
+        raise GroundloopError(f"force must be a function of an array of times, not {force!r}")
     label = f"function {getattr(force, '__name__', type(force).__name__)}"
     jumps = finite("breaks", breaks, "s")
     if end is None:

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import generated
 from .arrays import FloatArray, finite
+from .chunks import check_memory
 from .errors import GroundloopError, unknown
 from .names import signature
 
@@ -21,6 +22,9 @@ METHODS = ("rk45", "rk4")
 #: Longest stretch of time given to one call of the compiled integrator, s. The adaptive one keeps
 #: a tape of its steps for the adjoint; this keeps it short.
 _LONGEST = {"rk45": 1.0, "rk4": 0.01}
+
+#: Bytes that CasADi takes for each call of the compiled integrator in a path, as measured.
+_CALL_BYTES = 8_000
 
 #: Steps under an input that varies start at this length, s, or at what lies between outputs and
 #: breaks if that is less, and are halved until they agree.
@@ -93,6 +97,7 @@ def _integrator(
     names = signature(tire)
     intervals = np.diff(times, prepend=0.0)
     pieces = [max(1, math.ceil(h / longest - 1e-9)) for h in intervals]
+    _check_room(sum(pieces))
     lengths = np.repeat(intervals / pieces, pieces)
 
     advance = generated.load(f"{tire}_{method}")
@@ -231,6 +236,7 @@ def _edges(times: FloatArray, breaks: Sequence[float], longest: float, parts: in
     inner = np.array([b for b in breaks if tiny < b < times[-1] and np.abs(times - b).min() > tiny])
     marks = np.union1d(np.concatenate([[0.0], times]), inner)
     pieces = parts * np.maximum(1, np.ceil(np.diff(marks) / longest - 1e-9)).astype(int)
+    _check_room(2 * sum(pieces.tolist()))
     steps = [
         np.linspace(begin, end, n, endpoint=False)
         for (begin, end), n in zip(pairwise(marks.tolist()), pieces.tolist(), strict=True)
@@ -244,6 +250,10 @@ def _held(u: Callable[[FloatArray], FloatArray], edges: FloatArray) -> FloatArra
     samples = u(points.ravel())
     halves = samples.reshape(*samples.shape[:2], -1, 2) @ _MEANS
     return np.asarray(halves.reshape(samples.shape))
+
+
+def _check_room(calls: int) -> None:
+    check_memory(_CALL_BYTES * calls, f"the {calls} calls of the integrator for a run so long")
 
 
 def _repeat(counts: Sequence[int]) -> list[int]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .aircraft import Aircraft, parameter_symbols
-from .arrays import FloatArray, finite
+from .arrays import FloatArray, finite, positive, whole
 from .errors import GroundloopError
 from .generated.names import QUANTITIES
 from .linearization import ComplexArray, Linearization, OperatingPoint, linearize
@@ -225,11 +225,9 @@ def step_response(
         Deviation from the operating point; what the drift there does is not in it.
     """
     B, C, D, names = _channel(lin, output, input)
-    duration = float(finite("t", t, "s"))
+    duration, count = positive("t", t, "s"), whole("samples", samples, 2)
     height = float(finite("size", size, QUANTITIES[names[1]].unit))
-    if duration <= 0 or int(samples) != samples or samples < 2:
-        raise GroundloopError(f"t must be positive and samples at least 2, not {t} and {samples}")
-    times = np.linspace(0.0, duration, int(samples))
+    times = np.linspace(0.0, duration, count)
     # the state with the constant input appended: x' = A x + B u, u' = 0
     augmented = np.zeros((*B.shape[:-1], 3, 3))
     augmented[..., :2, :2], augmented[..., :2, 2] = lin.A, B
@@ -329,7 +327,7 @@ def root_locus(
     """
     key = symbol(parameter, "parameter", parameter_symbols(), "root_locus")
     swept = finite(f"values of {key}", values, QUANTITIES[key].unit)
-    steps = np.diff(swept)
+    steps = np.diff(np.atleast_1d(swept))
     if swept.ndim != 1 or swept.size < 2 or not ((steps > 0).all() or (steps < 0).all()):
         raise GroundloopError(f"values of {key} must be a list that increases or decreases")
     aircraft = plane if speed is None else plane.replace(u=speed)

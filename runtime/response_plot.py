@@ -60,8 +60,8 @@ def bode(
             from matplotlib import pyplot
 
             _, ax = pyplot.subplots(2, 1, sharex=True, figsize=(6, 5))
-        if len(ax) != 2:
-            raise GroundloopError(f"a Bode diagram needs two axes, not {len(ax)}")
+        if (count := np.asarray(ax, dtype=object).size) != 2:
+            raise GroundloopError(f"a Bode diagram needs two axes, not {count}")
         above, below = ax
         magnitude = in_shown_unit(response.output, response.magnitude)
         phase = np.degrees(response.phase)

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, as_inputs, finite
-from .errors import GroundloopError, unknown
+from .arrays import FloatArray, as_inputs, finite, positive, whole
+from .chunks import check_memory
+from .errors import unknown
 from .evaluate import columns
 from .generated.names import QUANTITIES
 from .gusts import Gust, as_gust, sampled
@@ -174,11 +175,10 @@ def simulate(
         For unknown names, values that cannot be, or a run that leaves the numbers.
     """
     names = signature(tire)
-    duration = float(finite("t", t, "s"))
-    if duration <= 0 or int(samples) != samples or samples < 2:
-        raise GroundloopError(f"t must be positive and samples at least 2, not {t} and {samples}")
+    duration, count = positive("t", t, "s"), whole("samples", samples, 2)
+    check_memory(8 * count * len((*names.states, *names.outputs, *names.inputs)), "the series")
     aircraft = plane if speed is None else plane.replace(u=speed)
-    times = np.linspace(0.0, duration, int(samples))
+    times = np.linspace(0.0, duration, count)
     start = _initial_state(initial, names.states)
     gust = as_gust(disturbance)
     force = finite("disturbance", disturbance, "N") if gust is None else gust(times)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .ensemble_plan import check_tolerance, smallest_kernel
+from .ensemble_plan import check_tolerance, listed, smallest_kernel
 from .errors import GroundloopError
 from .generated import kernels
 from .generated.kernels import Task
@@ -58,10 +58,18 @@ def solver(
     """
     model = signature(tire)
     times = np.atleast_1d(finite("t", t))
-    if times.ndim != 1 or times[0] < 0 or times[-1] <= 0 or (np.diff(times) <= 0).any():
+    if (
+        times.ndim != 1
+        or times.size == 0
+        or times[0] < 0
+        or times[-1] <= 0
+        or (np.diff(times) <= 0).any()
+    ):
         raise GroundloopError("t must be a positive number or increasing times from 0 on")
     allowed = (*model.states, *model.outputs)
-    wanted = tuple(dict.fromkeys(symbol(n, "name", allowed, "names") for n in names))
+    wanted = tuple(
+        dict.fromkeys(symbol(n, "name", allowed, "names") for n in listed("names", names))
+    )
     tolerance = check_tolerance(tol)
     kernel = smallest_kernel(tire, wanted)
     if kernels.can_compile(kernel):

@@ -10,13 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from .aircraft import Aircraft
+from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, check_out, common_shape
 from .chunks import check_memory, thread_count
 from .errors import GroundloopError, unknown
 from .evaluate import names_of, sweep_into
 from .linearization import ComplexArray
 from .listing import Listed, span, unit_of
+from .names import symbol
 from .records import Record, measured, run_dims
 from .results import Result
 from .stability import CLOSED_FORMS, OVER_SPEED
@@ -120,6 +121,8 @@ def sweep(
         cannot be written to.
     """
     names = _names(of)
+    for name in values:
+        symbol(name, "parameter", parameter_symbols(), "sweep")
     aircraft = plane.replace(**values) if values else plane
     count = thread_count(threads)
     functions = list(dict.fromkeys(SWEPT[name][0] for name in names))

@@ -614,7 +614,7 @@ def test_a_new_file_can_begin_as_a_copy_and_is_not_overwritten(run, tmp_path: Pa
         (["new", "plane.txt"], 2, "expected a name ending in .toml"),
         (["simulate", "brot"], 1, "did you mean brott?"),
         (["simulate", "none.toml"], 1, "cannot read none.toml: No such file"),
-        (["simulate", "brott", "--t", "-1"], 1, "t must be positive"),
+        (["simulate", "brott", "--t", "-1"], 1, "t must be a positive number"),
         (["simulate", "brott", "--v0", "0.1", "--show", "vv"], 1, "'vv'"),
         (["simulate", "brott", "--v0", "0.1", "--out", "no/where.csv"], 1, "cannot write"),
         (["fit-tire", "none.csv"], 1, "cannot read none.csv"),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib import pyplot
 
 import groundloop as gl
 
@@ -65,3 +66,31 @@ def test_a_kick_takes_units() -> None:
     same = gl.survival(plane, station=-0.3048, half_width=15.24, heading=np.radians(30), t=10.0)
     assert kick.impulse == pytest.approx(same.impulse, rel=1e-2)
     assert vars(kick.criterion) == pytest.approx(vars(same.criterion), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda p: gl.solver(t=[]), "increasing times"),
+        (lambda p: gl.solver(names="psi"), "names must be a list of names, not the string 'psi'"),
+        (lambda p: gl.gusts.of_time(3), "force must be a function"),
+        (lambda p: gl.root_locus(p, "a", 3.0), "list that increases or decreases"),
+        (lambda p: gl.step_response(gl.linearize(p), "v", t=[1, 2]), "t must be a positive number"),
+        (lambda p: gl.sweep(p, v0=1.0), "unknown parameter 'v0' in sweep"),
+        (
+            lambda p: gl.simulate(gl.Aircraft.load("brott-physical").replace(a=-0.5)),
+            r"tail_wheel_load .* must be zero or positive.* follows from .*"
+            r"without nose_wheel_station \(x_nose\)",
+        ),
+    ],
+)
+def test_mistakes_are_named(call: Callable[[gl.Aircraft], Any], message: str) -> None:
+    with pytest.raises(gl.GroundloopError, match=message):
+        call(gl.Aircraft.load("brott"))
+
+
+def test_a_bode_diagram_in_one_axes_is_refused() -> None:
+    response = gl.frequency_response(gl.linearize(gl.Aircraft.load("brott")), "v")
+    with pytest.raises(gl.GroundloopError, match="needs two axes, not 1"):
+        response.plot(pyplot.figure().add_subplot())
+    pyplot.close("all")
