@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from .interruption import heeded
+
 #: Called with what is done and how much there is in all, None as long as nobody knows.
 Show = Callable[[int, int | None], object]
 #: What `progress=` may be; True draws a bar on a terminal.
@@ -14,12 +16,13 @@ Progress = Show | bool | None
 class Count:
     """Work that is done, of a total that may turn out less or be unknown to the end."""
 
-    def __init__(self, show: Show, total: int | None) -> None:
-        self._show = show
+    def __init__(self, show: Show, total: int | None, check: Callable[[], None]) -> None:
+        self._show, self._check = show, check
         self.done, self.total = 0, total
 
     def add(self, more: int = 1) -> None:
         """So much more is done."""
+        self._check()
         self.done += more
         self._show(self.done, self.total)
 
@@ -32,6 +35,8 @@ class Count:
 def counted(progress: Progress, what: str, total: int | None = None) -> Iterator[Count]:
     """Count work and show it; when the block is left in peace, all of it is done.
 
+    Ctrl-C takes effect when more is done, if not at once.
+
     Parameters
     ----------
     progress : callable or bool, optional
@@ -41,9 +46,10 @@ def counted(progress: Progress, what: str, total: int | None = None) -> Iterator
     total : int, optional
         How much there is, as far as it is known.
     """
-    with _shown(progress, what) as show:
-        count = Count(show, total)
+    with heeded() as check, _shown(progress, what) as show:
+        count = Count(show, total, check)
         yield count
+        check()
         if count.done != count.total:
             show(count.done, count.done)
 

@@ -6,6 +6,7 @@ import io
 import json
 import re
 import shlex
+import signal
 import subprocess
 import sys
 import warnings
@@ -649,6 +650,23 @@ def test_an_interruption_is_clean(
     monkeypatch.setattr(info.command, "callback", interrupted)
     code, out, err = run("info")
     assert (code, out, err.strip()) == (130, "", "groundloop: interrupted")
+
+
+def test_an_interruption_that_foreign_code_makes_an_error_of_is_clean(
+    run, monkeypatch: pytest.MonkeyPatch
+):
+    from groundloop.cli import info
+
+    def failed(**_: object) -> None:
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt:
+            raise TypeError("wrong type of arguments") from None
+
+    monkeypatch.setattr(info.command, "callback", failed)
+    code, out, err = run("info")
+    assert (code, out, err.strip()) == (130, "", "groundloop: interrupted")
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
 def test_a_warning_is_one_line_on_stderr(run, monkeypatch: pytest.MonkeyPatch):

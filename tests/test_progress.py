@@ -7,7 +7,8 @@ import re
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, redirect_stderr
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, redirect_stderr, suppress
 from pathlib import Path
 
 import numpy as np
@@ -213,3 +214,61 @@ def test_the_solver_does_not_take_ctrl_c_for_a_bad_start(capfd: pytest.CaptureFi
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
     assert capfd.readouterr() == ("", "")
+
+
+def test_an_interruption_that_foreign_code_swallows_is_noticed():
+    def work() -> None:
+        with counted(None, "kicks", 4) as done:
+            with suppress(KeyboardInterrupt):
+                signal.raise_signal(signal.SIGINT)
+            seen.append("went on")
+            done.add()
+            seen.append("and on")
+
+    seen: list[str] = []
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    assert seen == ["went on"]
+
+
+def test_an_interruption_in_a_destructor_is_quiet(capfd: pytest.CaptureFixture[str]):
+    class Last:
+        def __del__(self) -> None:
+            signal.raise_signal(signal.SIGINT)
+
+    def work() -> None:
+        with counted(None, "kicks"):
+            del last[:]
+
+    last = [Last()]
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    assert capfd.readouterr() == ("", "")
+
+
+def test_an_interruption_that_became_another_error_is_one():
+    def work() -> None:
+        with counted(None, "kicks"), suppress(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        raise AssertionError("it went on")
+
+    def fail() -> None:
+        with counted(None, "kicks"):
+            try:
+                signal.raise_signal(signal.SIGINT)
+            except KeyboardInterrupt:
+                raise RuntimeError("Error in Function::call") from None
+
+    for each in (work, fail):
+        with pytest.raises(KeyboardInterrupt):
+            each()
+    with pytest.raises(RuntimeError), counted(None, "kicks"):
+        raise RuntimeError("nobody pressed anything")
+
+
+def test_work_in_a_thread_leaves_signals_alone():
+    before = signal.getsignal(signal.SIGINT)
+    with ThreadPoolExecutor(1) as executor:
+        found = executor.submit(gl.survival, PLANE, progress=True).result()
+    assert found.impulse > 0
+    assert signal.getsignal(signal.SIGINT) is before

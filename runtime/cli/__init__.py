@@ -83,11 +83,14 @@ def _group() -> None:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code, one of those above."""
     from groundloop.errors import GroundloopError
+    from groundloop.interruption import heeded
 
     with warnings.catch_warnings():
         warnings.showwarning = _show_warning
         try:
-            return _group.main(args=arguments, prog_name="groundloop", standalone_mode=False) or 0
+            with heeded():
+                found = _group.main(arguments, prog_name="groundloop", standalone_mode=False)
+            return found or 0
         except click.ClickException as problem:
             problem.show()
             return problem.exit_code
