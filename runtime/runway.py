@@ -3,81 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from functools import cache
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
-from matplotlib.patches import PathPatch, Rectangle
-from matplotlib.path import Path as Outline
+from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
-from matplotlib.transforms import Affine2D
 
-from .arrays import FloatArray, finite
+from .arrays import finite
 from .errors import GroundloopError, unknown
 from .files import complete
 from .generated.names import QUANTITIES
 from .plots import COLOURS, INK, MUTED, style
 from .progress import Progress, counted
+from .silhouette import ASPHALT, PAINT, Roll, draw_aircraft, draw_push, draw_tire_tracks
 from .simulation import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Right half of the airframe, (ahead, right), in lengths from the CG to the tail. Only where the
-#: wheels stand is the aircraft's own; the rest is a typical light aircraft.
-_AIRFRAME = {
-    "fuselage": (
-        *((0.560, 0.000), (0.552, 0.030), (0.520, 0.052), (0.440, 0.092), (0.330, 0.110)),
-        *((0.120, 0.120), (-0.080, 0.118), (-0.280, 0.096), (-0.700, 0.044), (-0.930, 0.022)),
-        *((-1.060, 0.014), (-1.070, 0.000)),
-    ),
-    "wing": (
-        *((0.190, 0.000), (0.190, 1.080), (0.178, 1.190), (0.140, 1.270), (0.060, 1.310)),
-        *((-0.080, 1.315), (-0.150, 1.290), (-0.175, 1.220), (-0.185, 1.080), (-0.195, 0.000)),
-    ),
-    "tailplane": (
-        *((-0.830, 0.000), (-0.860, 0.200), (-0.905, 0.360), (-0.950, 0.405), (-1.010, 0.415)),
-        *((-1.045, 0.380), (-1.060, 0.200), (-1.060, 0.000)),
-    ),
-}
-#: In the same lengths: half the track of the main gear, where a nose wheel stands, half length and
-#: half width of a tire and of the propeller.
-_TRACK, _NOSE_WHEEL = 0.27, 0.40
-_TIRE, _PROPELLER = (0.068, 0.026), (0.010, 0.230)
-
-_ASPHALT, _PAINT, _GRASS = "#D6D7DB", "#FFFFFF", "#EDF2E4"
+_GRASS = "#EDF2E4"
 _LARGEST = (8.2, 6.4)  # inches, the axes of a new figure
 _MARGIN = (0.8, 1.1)  # inches, for their labels
-
-
-@dataclass(frozen=True, eq=False)
-class _Roll:
-    """One run: its path over the ground, its wheels, and how it is drawn."""
-
-    t: FloatArray
-    X: FloatArray
-    Y: FloatArray
-    psi: FloatArray
-    force: FloatArray
-    a: float
-    b: float
-    label: str
-    colour: str
-
-    def at(self, t: float) -> tuple[float, float, float, float]:
-        """Position, m, heading, rad, and side force, N, at a time, from sample to sample."""
-        series = (self.X, self.Y, self.psi, self.force)
-        X, Y, psi, force = (float(np.interp(t, self.t, s)) for s in series)
-        return X, Y, psi, force
-
-    def track(self, ahead: float, right: float) -> tuple[FloatArray, FloatArray]:
-        """The path over the ground of a point of the aircraft, m from the CG."""
-        cos, sin = np.cos(self.psi), np.sin(self.psi)
-        return self.X + ahead * cos - right * sin, self.Y + ahead * sin + right * cos
 
 
 def runway_view(
@@ -131,11 +80,11 @@ def runway_view(
         for k, roll in enumerate(rolls):
             axes.plot(roll.X, roll.Y, color=roll.colour, linewidth=1.1, zorder=3)
             if stretch == 1:
-                _tire_tracks(axes, roll)
+                draw_tire_tracks(axes, roll)
             _mark_exit(axes, roll, width)
             for t in np.arange(0.0, roll.t[-1] * (1 + 1e-9), every).tolist():
-                _place(axes, roll, t, shade=0.45 + 0.55 * t / roll.t[-1], zorder=4 + k)
-                _push(axes, roll, t, strongest, zorder=4 + k)
+                draw_aircraft(axes, roll, t, shade=0.45 + 0.55 * t / roll.t[-1], zorder=4 + k)
+                draw_push(axes, roll, t, strongest, zorder=4 + k)
         _clock(axes, rolls[0], every)
         _legend(axes, rolls, labels is not None, strongest)
     return axes
@@ -220,7 +169,7 @@ def _check(**positive: float) -> None:
             raise GroundloopError(f"{name} must be positive, not {value}")
 
 
-def _rolls(run: Trajectory | Sequence[Trajectory], labels: Sequence[str] | None) -> list[_Roll]:
+def _rolls(run: Trajectory | Sequence[Trajectory], labels: Sequence[str] | None) -> list[Roll]:
     runs = [run] if isinstance(run, Trajectory) else list(run)
     parts = [part for each in runs for part in _parts(each)]
     if not parts:
@@ -232,14 +181,14 @@ def _rolls(run: Trajectory | Sequence[Trajectory], labels: Sequence[str] | None)
     return [replace(part, colour=COLOURS[k % len(COLOURS)]) for k, part in enumerate(parts)]
 
 
-def _parts(run: Trajectory) -> Iterator[_Roll]:
+def _parts(run: Trajectory) -> Iterator[Roll]:
     """Each run in a trajectory by itself."""
     shape = run["X"].shape[:-1]
     paths = (run[s].reshape(-1, run.t.size) for s in ("X", "Y", "psi", "F_disturbance"))
     arms = (np.broadcast_to(run.aircraft[s], shape).ravel().tolist() for s in ("a", "b"))
     for k, (X, Y, psi, force, a, b) in enumerate(zip(*paths, *arms, strict=True)):
         label = f"{run.aircraft.name}, {run.tire} tire{_varied(run, shape, k)}"
-        yield _Roll(run.t, X, Y, psi, force, a, b, label, COLOURS[0])
+        yield Roll(run.t, X, Y, psi, force, a, b, label, COLOURS[0])
 
 
 def _varied(run: Trajectory, shape: tuple[int, ...], k: int) -> str:
@@ -254,11 +203,11 @@ def _varied(run: Trajectory, shape: tuple[int, ...], k: int) -> str:
     return ", " + (", ".join(own) or f"run {', '.join(map(str, np.unravel_index(k, shape)))}")
 
 
-def _strongest(rolls: Sequence[_Roll]) -> float:
+def _strongest(rolls: Sequence[Roll]) -> float:
     return max(float(np.abs(roll.force).max()) for roll in rolls)
 
 
-def _limits(rolls: Sequence[_Roll], width: float) -> tuple[tuple[float, float], ...]:
+def _limits(rolls: Sequence[Roll], width: float) -> tuple[tuple[float, float], ...]:
     """Lowest and highest X and Y, with room for the aircraft and the edges of the runway."""
     reach = max(roll.b for roll in rolls)
     X = np.concatenate([roll.X for roll in rolls])
@@ -269,7 +218,7 @@ def _limits(rolls: Sequence[_Roll], width: float) -> tuple[tuple[float, float], 
 
 
 def _scene(
-    rolls: Sequence[_Roll], width: float, stretch: float, ax: Axes | None, fit: bool = False
+    rolls: Sequence[Roll], width: float, stretch: float, ax: Axes | None, fit: bool = False
 ) -> Axes:
     """Axes with an empty runway, in a figure of fitting size if that is ours to choose."""
     along, across = _limits(rolls, width)
@@ -287,87 +236,24 @@ def _scene(
     ax.set_xlabel("distance $X$ along the runway (m)")
     stretched = "" if stretch == 1 else f", × {stretch:g}"
     ax.set_ylabel(f"offset $Y$ (m{stretched})")
-    ax.axhspan(-width / 2, width / 2, color=_ASPHALT, linewidth=0, zorder=0)
+    ax.axhspan(-width / 2, width / 2, color=ASPHALT, linewidth=0, zorder=0)
     for edge in (-width / 2, width / 2):
-        ax.axhline(edge, color=_PAINT, linewidth=2.2, zorder=1)
-    ax.axhline(0.0, color=_PAINT, linewidth=1.6, dashes=(8, 6), zorder=1)
+        ax.axhline(edge, color=PAINT, linewidth=2.2, zorder=1)
+    ax.axhline(0.0, color=PAINT, linewidth=1.6, dashes=(8, 6), zorder=1)
     return ax
 
 
-@cache
-def _outline() -> Outline:
-    """The airframe as one shape in lengths from the CG to the tail."""
-    parts = []
-    for half in _AIRFRAME.values():
-        right = np.array(half)
-        ring = np.concatenate([right, (right * [1, -1])[::-1], right[:1]])
-        parts.append(Outline(ring, closed=True))
-    return Outline.make_compound_path(*parts)
-
-
-def _place(axes: Axes, roll: _Roll, t: float, shade: float, zorder: float) -> list[Any]:
-    """The aircraft where it is at a time, the paler the smaller its shade."""
-    body = _body(axes, roll, t)
-    paint, rubber = _mixed(roll.colour, shade), _mixed(INK, shade)
-    airframe = PathPatch(_outline(), facecolor=paint, edgecolor=_PAINT, linewidth=0.4)
-    main = roll.a / roll.b
-    third = (-1.0 if roll.a > 0 else _NOSE_WHEEL, 0.0)
-    wheels = [_box(*at, *_TIRE, rubber) for at in ((main, _TRACK), (main, -_TRACK), third)]
-    patches = [_box(0.575, 0.0, *_PROPELLER, rubber), airframe, *wheels]
-    for order, patch in enumerate(patches):
-        patch.set(transform=body + axes.transData, zorder=zorder + 0.01 * order)
-        axes.add_patch(patch)
-    return patches
-
-
-def _body(axes: Axes, roll: _Roll, t: float) -> Affine2D:
-    """From lengths of the aircraft, ahead and right, to the ground; undistorted where that is."""
-    X, Y, psi, _ = roll.at(t)
-    stretch = float(axes.get_aspect())
-    turned = Affine2D().rotate(np.arctan2(stretch * np.sin(psi), np.cos(psi)))
-    return turned.scale(roll.b, roll.b / stretch).translate(X, Y)
-
-
-def _tire_tracks(axes: Axes, roll: _Roll) -> None:
-    half = _TRACK * roll.b
-    points = [(roll.a, half), (roll.a, -half), *([(-roll.b, 0.0)] if roll.a > 0 else [])]
-    for point in points:
-        axes.plot(*roll.track(*point), color=INK, linewidth=0.6, alpha=0.4, zorder=2)
-
-
-def _box(ahead: float, right: float, long: float, wide: float, colour: str) -> Any:
-    corner = (ahead - long, right - wide)
-    return Rectangle(corner, 2 * long, 2 * wide, facecolor=colour, edgecolor="none")
-
-
-def _mixed(colour: str, share: float) -> str:
-    """A colour mixed with that of the runway."""
-    mixed = share * np.array(to_rgb(colour)) + (1 - share) * np.array(to_rgb(_ASPHALT))
-    return to_hex(mixed.tolist())
-
-
-def _push(axes: Axes, roll: _Roll, t: float, strongest: float, zorder: float) -> list[Any]:
-    """An arrow at the tail, its length in proportion to the side force."""
-    *_, force = roll.at(t)
-    if strongest == 0 or abs(force) < 0.02 * strongest:
-        return []
-    ends = [(-1.0, 0.0), (-1.0, -1.5 * force / strongest)]
-    tail, start = _body(axes, roll, t).transform(ends).tolist()
-    arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-    return [axes.annotate("", tail, start, arrowprops=arrow, zorder=zorder + 0.5)]
-
-
-def _moment(axes: Axes, roll: _Roll, t: float, strongest: float) -> list[Any]:
+def _moment(axes: Axes, roll: Roll, t: float, strongest: float) -> list[Any]:
     """The path up to a time, and the aircraft at its end with what pushes it."""
     now = min(t, float(roll.t[-1]))
     before = roll.t < now
     X, Y, *_ = roll.at(now)
     path = axes.plot([*roll.X[before], X], [*roll.Y[before], Y], color=roll.colour, zorder=3)
-    aircraft = _place(axes, roll, now, shade=1.0, zorder=4)
-    return [*path, *aircraft, *_push(axes, roll, now, strongest, zorder=4)]
+    aircraft = draw_aircraft(axes, roll, now, shade=1.0, zorder=4)
+    return [*path, *aircraft, *draw_push(axes, roll, now, strongest, zorder=4)]
 
 
-def _mark_exit(axes: Axes, roll: _Roll, width: float) -> None:
+def _mark_exit(axes: Axes, roll: Roll, width: float) -> None:
     outside = np.flatnonzero(np.abs(roll.Y) > width / 2)
     if outside.size == 0 or outside[0] == 0:
         return
@@ -391,7 +277,7 @@ def _mark_exit(axes: Axes, roll: _Roll, width: float) -> None:
     )
 
 
-def _clock(axes: Axes, roll: _Roll, every: float) -> None:
+def _clock(axes: Axes, roll: Roll, every: float) -> None:
     """Times of the silhouettes along the upper edge, under the positions of the first run."""
     step = every * max(1, round(1.0 / every))
     for t in np.arange(0.0, roll.t[-1] * (1 + 1e-9), step).tolist():
@@ -408,12 +294,12 @@ def _clock(axes: Axes, roll: _Roll, every: float) -> None:
         )
 
 
-def _legend(axes: Axes, rolls: Sequence[_Roll], explicit: bool, strongest: float) -> None:
+def _legend(axes: Axes, rolls: Sequence[Roll], explicit: bool, strongest: float) -> None:
     """Names of the runs if there is a choice, and what the arrows are, above the runway."""
     named = rolls if explicit or len(rolls) > 1 else ()
     handles: list[Any] = [Rectangle((0, 0), 1, 1, color=r.colour, label=r.label) for r in named]
     if strongest > 0:
-        words = f"side force on the tail, at most {strongest:.3g} N"
+        words = f"side force on the tail, at most {float(f'{strongest:.3g}'):g} N"
         handles.append(Line2D([], [], color=INK, marker=">", linewidth=0, label=words))
     if handles:
         above = {"bbox_to_anchor": (0.0, 1.0), "borderaxespad": 2.2, "borderpad": 0.0}
