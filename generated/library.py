@@ -1,4 +1,4 @@
-# Generated from derive/ (digest f25bda65ec8751ec) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 0dbc7ffd80229d7a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Compiled functions by name: compiled on first use, cached by content, loaded as externals.
 
 Set ``GROUNDLOOP_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
