@@ -1,4 +1,4 @@
-# groundloop: `make` builds everything and runs the study; `make test` proves it.
+# groundroll: `make` builds everything and runs the study; `make test` proves it.
 
 PYTHON ?= python3
 VENV   ?= .venv
@@ -13,7 +13,7 @@ PYTHONS ?= $(shell for p in $(NEWER); do if $$p -c "" 2>/dev/null; then echo $$p
 .PHONY: study derive compile test lint types drift unit pythons release docs bench clean help
 
 study: compile  ## every table and figure of the thesis, into ./study (the default)
-	$(BIN)/groundloop study --out study
+	$(BIN)/groundroll study --out study
 
 $(STAMP): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -22,10 +22,10 @@ $(STAMP): pyproject.toml
 	touch $@
 
 derive: $(STAMP)  ## regenerate the equations: generated/ from derive/
-	$(BIN)/python -m groundloop.derive
+	$(BIN)/python -m groundroll.derive
 
 compile: $(STAMP) derive  ## compile every generated function into the user's cache
-	$(BIN)/python -c "from groundloop import generated; [generated.load(f) for f in generated.FUNCTIONS]"
+	$(BIN)/python -c "from groundroll import generated; [generated.load(f) for f in generated.FUNCTIONS]"
 
 test: lint types drift docs unit  ## everything that proves it
 
@@ -34,12 +34,12 @@ lint: $(STAMP)  ## style
 	$(BIN)/ruff format --check .
 
 types: $(STAMP)  ## static types; mypy sees the folders under their installed names
-	rm -rf build/types && mkdir -p build/types/groundloop
-	ln -s $(CURDIR)/runtime/* $(CURDIR)/derive $(CURDIR)/generated build/types/groundloop/
-	cd build/types && MYPYPATH=. $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml -p groundloop
+	rm -rf build/types && mkdir -p build/types/groundroll
+	ln -s $(CURDIR)/runtime/* $(CURDIR)/derive $(CURDIR)/generated build/types/groundroll/
+	cd build/types && MYPYPATH=. $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml -p groundroll
 
 drift: $(STAMP)  ## generated/ is exactly what derive/ makes
-	$(BIN)/python -m groundloop.derive --check
+	$(BIN)/python -m groundroll.derive --check
 
 unit: $(STAMP)  ## the test suite, or some of it: make unit TESTS=tests/test_sweep.py
 	$(BIN)/python -m pytest -n 2 $(TESTS)

@@ -1,4 +1,4 @@
-"""`python -m groundloop.derive`: write `generated/`, or check that it is up to date."""
+"""`python -m groundroll.derive`: write `generated/`, or check that it is up to date."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .emit import HERE, files, write
 
 def main() -> int:
     """Entry point; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="python -m groundloop.derive", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m groundroll.derive", description=__doc__)
     parser.add_argument("--check", action="store_true", help="compare instead of writing")
     parser.add_argument("--out", type=Path, default=HERE.parent / "generated")
     options = parser.parse_args()

@@ -130,7 +130,7 @@ def _compiled(
 
 def _load(sources: Mapping[str, str]) -> dict[str, ModuleType]:
     """Run the Python just generated without installing it."""
-    package = "groundloop_freshly_generated"
+    package = "groundroll_freshly_generated"
     sys.modules[package] = ModuleType(package)
     sys.modules[package].integrators = integrators  # type: ignore[attr-defined]
     sys.modules[f"{package}.integrators"] = integrators
@@ -222,7 +222,7 @@ def _init_source(derived: tuple[Module, ...]) -> str:
     lines = [
         '"""CasADi functions generated from the derivation; see `names.FUNCTIONS` for the list.',
         "",
-        "`from groundloop.generated import nonlinear_rk45` gives the compiled function; the",
+        "`from groundroll.generated import nonlinear_rk45` gives the compiled function; the",
         "modules (`nonlinear`, `linear`, ...) hold the readable builders.",
         '"""',
         "",

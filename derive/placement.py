@@ -250,7 +250,7 @@ _MARGINS = (
     " $\\det{}_d \\ge 0$; a damping ratio $\\zeta \\le 1$ of a stable aircraft if and only if"
     " $Z \\ge 0$. These are smooth where eigenvalues meet."
 )
-_LIMITS = "Angles are seen from the CG; `SOURCES` of `groundloop.placement` says whose limits."
+_LIMITS = "Angles are seen from the CG; `SOURCES` of `groundroll.placement` says whose limits."
 
 #: Arguments of the generated functions.
 DESIGN = (x_main, x_third, x_tail)

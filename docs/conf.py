@@ -4,13 +4,13 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-project = "groundloop"
-author = "The groundloop authors"
+project = "groundroll"
+author = "The groundroll authors"
 copyright = author
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath"]
 html_theme = "furo"
-html_title = "groundloop"
+html_title = "groundroll"
 autodoc_typehints = "none"  # the docstrings say more: unit, shape, sign
 autodoc_member_order = "bysource"
 napoleon_google_docstring = False

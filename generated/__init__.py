@@ -1,7 +1,7 @@
-# Generated from derive/ (digest 0dbc7ffd80229d7a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest f81e774fc1366460) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """CasADi functions generated from the derivation; see `names.FUNCTIONS` for the list.
 
-`from groundloop.generated import nonlinear_rk45` gives the compiled function; the
+`from groundroll.generated import nonlinear_rk45` gives the compiled function; the
 modules (`nonlinear`, `linear`, ...) hold the readable builders.
 """
 

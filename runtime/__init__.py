@@ -1,9 +1,9 @@
 """Ground stability of light aircraft, from derived equations to compiled integrators.
 
->>> import groundloop as gl
->>> plane = gl.Aircraft.load("brott")
->>> run = gl.simulate(plane, tire="nonlinear", v0=0.1, t=5.0)
->>> lin = gl.linearize(plane, tire="linear")
+>>> import groundroll as gr
+>>> plane = gr.Aircraft.load("brott")
+>>> run = gr.simulate(plane, tire="nonlinear", v0=0.1, t=5.0)
+>>> lin = gr.linearize(plane, tire="linear")
 
 SI units and radians throughout; SAE body axes: x forward, y right, z down.
 """
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .checking import Check, check
     from .ensemble_result import Ensemble
     from .ensembles import ensemble
-    from .errors import GroundloopError
+    from .errors import GroundrollError
     from .integration import integrator
     from .kicks import Survival, survival
     from .linearization import Linearization, OperatingPoint, linearize
@@ -58,7 +58,7 @@ if TYPE_CHECKING:
 
     __version__: str
 
-#: Public name -> module; imported on first use, so that `import groundloop` is cheap.
+#: Public name -> module; imported on first use, so that `import groundroll` is cheap.
 _HOME = {
     "Aircraft": "aircraft",
     "Basin": "basins",
@@ -68,7 +68,7 @@ _HOME = {
     "FrequencyResponse": "response",
     "GearEnvelope": "stability",
     "GearLimit": "stability",
-    "GroundloopError": "errors",
+    "GroundrollError": "errors",
     "InfeasibleError": "placement",
     "Limits": "placement",
     "Linearization": "linearization",
@@ -124,7 +124,7 @@ __all__ = [
     "FrequencyResponse",
     "GearEnvelope",
     "GearLimit",
-    "GroundloopError",
+    "GroundrollError",
     "InfeasibleError",
     "Limits",
     "Linearization",

@@ -1,4 +1,4 @@
-"""``python -m groundloop``: the command line."""
+"""``python -m groundroll``: the command line."""
 
 import sys
 

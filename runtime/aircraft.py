@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import FloatArray, broadcast, common_shape, physical
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import elementwise
 from .generated import build
 from .generated.names import FUNCTIONS, MODELS, QUANTITIES
@@ -51,7 +51,7 @@ def parameter_symbols() -> tuple[str, ...]:
     return tuple(s for s in QUANTITIES if s in present)
 
 
-class NotGivenError(GroundloopError):
+class NotGivenError(GroundrollError):
     """A parameter that is neither given nor follows.
 
     Attributes
@@ -92,7 +92,7 @@ def _checked(key: str, value: Any) -> FloatArray:
     """A value of a parameter that is as it must be, and that nobody can change."""
     array = physical(key, value)
     if array.size == 0:
-        raise GroundloopError(f"{_label(key)} must have a value, but it is an empty array")
+        raise GroundrollError(f"{_label(key)} must have a value, but it is an empty array")
     if array.flags.writeable or not array.flags.owndata:
         array = array.copy()
         array.setflags(write=False)
@@ -105,7 +105,7 @@ class Aircraft(Listed):
 
     A parameter that is not given follows from others where it can: arms from stations, loads
     from arms, or from the nose wheel's station with the main gear behind the CG, stiffnesses from
-    loads (`groundloop.generated.loads`). Any may be an array; they broadcast.
+    loads (`groundroll.generated.loads`). Any may be an array; they broadcast.
 
     Attributes
     ----------
@@ -150,7 +150,7 @@ class Aircraft(Listed):
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If there is no such aircraft or file, or if the file has mistakes: all of them are
             listed, each with its line and key, what was found and what was expected.
         """
@@ -170,7 +170,7 @@ class Aircraft(Listed):
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             For an unknown name, naming the nearest, or a value that cannot be.
         """
         given = _Checked(self.given)
@@ -179,7 +179,7 @@ class Aircraft(Listed):
         for name, value in changes.items():
             key = symbol(name, "parameter", parameter_symbols(), "Aircraft.replace")
             if key in changed:
-                raise GroundloopError(
+                raise GroundrollError(
                     f"{changed[key]} and {name} are the same parameter; give one of them"
                 )
             changed[key] = name
@@ -195,7 +195,7 @@ class Aircraft(Listed):
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If the name is unknown, or the value is neither given nor follows.
         """
         return self._resolve(
@@ -206,13 +206,13 @@ class Aircraft(Listed):
         """Value of a parameter, or `default` where it is neither given nor follows."""
         try:
             return self[name]
-        except GroundloopError:
+        except GroundrollError:
             return default
 
     def __contains__(self, name: object) -> bool:
         try:
             self[str(name)]
-        except GroundloopError:
+        except GroundrollError:
             return False
         return True
 
@@ -223,7 +223,7 @@ class Aircraft(Listed):
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If the name is unknown, or the parameter does not follow.
         """
         key = symbol(name, "parameter", parameter_symbols(), f"aircraft {self.name}")
@@ -272,7 +272,7 @@ class Aircraft(Listed):
         names = signature(tire).parameters
         arrays, shape = broadcast({**{s: self[s] for s in names}, **others})
         if 0 in shape:
-            raise GroundloopError(f"nothing is given: the arrays broadcast to {shape}")
+            raise GroundrollError(f"nothing is given: the arrays broadcast to {shape}")
         flat = {name: array.ravel() for name, array in arrays.items()}
         return np.stack([flat[s] for s in names]), {name: flat[name] for name in others}, shape
 
@@ -291,8 +291,8 @@ class Aircraft(Listed):
             found = np.where(np.isnan(found), value, found)
         try:
             return physical(key, found)
-        except GroundloopError as problem:
-            raise GroundloopError(f"aircraft {self.name}: {problem}{self._why(key)}") from None
+        except GroundrollError as problem:
+            raise GroundrollError(f"aircraft {self.name}: {problem}{self._why(key)}") from None
 
     def _why(self, key: str) -> str:
         """From what a parameter follows, and what is not given that would have a say in it."""

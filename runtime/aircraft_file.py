@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 
 from .aircraft import Aircraft, Source
 from .consistency import contradictions
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .generated.names import QUANTITIES
 
 #: A name in a file, after those of the tables that it is in.
@@ -52,7 +52,7 @@ class Mistake:
         return f"{place}{self.key}: found {self.found}; expected {self.expected}"
 
 
-class AircraftFileError(GroundloopError):
+class AircraftFileError(GroundrollError):
     """An aircraft file with mistakes.
 
     Attributes
@@ -77,15 +77,15 @@ def load(name: str | Path) -> Aircraft:
         text = path.read_text(encoding="utf-8-sig")
         data = tomllib.loads(text)
     except OSError as problem:
-        raise GroundloopError(f"cannot read {path}: {problem.strerror}") from problem
+        raise GroundrollError(f"cannot read {path}: {problem.strerror}") from problem
     except ValueError as problem:  # of the text or of the TOML
-        raise GroundloopError(f"{path} is not valid TOML: {problem}") from problem
+        raise GroundrollError(f"{path} is not valid TOML: {problem}") from problem
     return _aircraft(path, data, _lines(text))
 
 
 def packaged_files(suffix: str = ".toml") -> dict[str, Path]:
     """The packaged aircraft, or with ``".csv"`` the packaged tire tables, by name."""
-    folder = resources.files("groundloop") / "fleet"
+    folder = resources.files("groundroll") / "fleet"
     files = sorted(Path(str(p)) for p in folder.iterdir() if p.name.endswith(suffix))
     return {p.name.removesuffix(suffix): p for p in files}
 

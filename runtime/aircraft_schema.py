@@ -20,7 +20,7 @@ from pydantic_core import ErrorDetails, PydanticCustomError
 
 from .aircraft import Source, parameter_symbols
 from .aircraft_file import Place, packaged_files
-from .errors import GroundloopError, UnexpectedError
+from .errors import GroundrollError, UnexpectedError
 from .generated.names import QUANTITIES
 from .units import expected, to_si
 
@@ -72,7 +72,7 @@ def _fitted(value: Any, info: pydantic.ValidationInfo) -> Mapping[str, float]:
         raise UnexpectedError("table", repr(value), wanted)
     try:
         return fit_tire(table).parameters
-    except GroundloopError as problem:
+    except GroundrollError as problem:
         found = f"{value!r}: {problem}"
         raise UnexpectedError("table", found, "a table that can be fitted") from None
 
@@ -191,4 +191,4 @@ def _nearest(place: Place) -> str:
     near = get_close_matches(place[-1], known, n=3, cutoff=0.6)
     if place[-1] == "table":
         near = ["main_tires.table"]
-    return " or ".join(near) or "one of those that `groundloop new` writes"
+    return " or ".join(near) or "one of those that `groundroll new` writes"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .generated.names import MODELS, QUANTITIES
 from .units import to_si
 
@@ -22,7 +22,7 @@ def finite(name: str, value: Any, unit: str | None = None) -> FloatArray:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If it holds anything else; the message says what and where.
     """
     if unit is not None:
@@ -32,12 +32,12 @@ def finite(name: str, value: Any, unit: str | None = None) -> FloatArray:
         if np.asarray(value).dtype == np.bool_:
             raise TypeError("a truth value is no number")
     except (TypeError, ValueError) as problem:
-        raise GroundloopError(
+        raise GroundrollError(
             f"{name} must be a number or an array of numbers, not {value!r}"
         ) from problem
     good = np.isfinite(array)
     if not good.all():
-        raise GroundloopError(f"{name} must be finite, but {_where(name, array, ~good)}")
+        raise GroundrollError(f"{name} must be finite, but {_where(name, array, ~good)}")
     return array
 
 
@@ -45,7 +45,7 @@ def positive(name: str, value: Any, unit: str | None = None) -> float:
     """`value` as one positive number."""
     number = finite(name, value, unit)
     if number.ndim or number <= 0:
-        raise GroundloopError(f"{name} must be a positive number, not {value!r}")
+        raise GroundrollError(f"{name} must be a positive number, not {value!r}")
     return float(number)
 
 
@@ -53,7 +53,7 @@ def whole(name: str, value: Any, least: int) -> int:
     """`value` as a whole number, not below `least`."""
     number = finite(name, value)
     if number.ndim or number < least or number % 1:
-        raise GroundloopError(f"{name} must be a whole number from {least}, not {value!r}")
+        raise GroundrollError(f"{name} must be a whole number from {least}, not {value!r}")
     return int(number)
 
 
@@ -73,7 +73,7 @@ def physical(symbol: str, value: Any) -> FloatArray:
         accept, words = _SIGNS[quantity.sign]
         good = accept(array, 0.0)
         if not good.all():
-            raise GroundloopError(f"{label} must be {words}, but {_where(symbol, array, ~good)}")
+            raise GroundrollError(f"{label} must be {words}, but {_where(symbol, array, ~good)}")
     return array
 
 
@@ -88,7 +88,7 @@ def common_shape(arrays: Mapping[str, FloatArray]) -> tuple[int, ...]:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If they do not; the message gives each shape.
     """
     different = {array.shape for array in arrays.values()} - {()}
@@ -98,7 +98,7 @@ def common_shape(arrays: Mapping[str, FloatArray]) -> tuple[int, ...]:
         return np.broadcast_shapes(*different)
     except ValueError:
         shapes = ", ".join(f"{name} {a.shape}" for name, a in arrays.items() if a.ndim)
-        raise GroundloopError(f"these shapes do not broadcast together: {shapes}") from None
+        raise GroundrollError(f"these shapes do not broadcast together: {shapes}") from None
 
 
 def check_out(name: str, array: Any, shape: tuple[int, ...]) -> None:
@@ -106,20 +106,20 @@ def check_out(name: str, array: Any, shape: tuple[int, ...]) -> None:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If it is no array of native float64 of that shape, writeable and in C order.
     """
     if not isinstance(array, np.ndarray):
-        raise GroundloopError(f"{name} must be an array, not {type(array).__name__}")
+        raise GroundrollError(f"{name} must be an array, not {type(array).__name__}")
     if array.shape != shape:
-        raise GroundloopError(f"{name} must have the shape {shape}, not {array.shape}")
+        raise GroundrollError(f"{name} must have the shape {shape}, not {array.shape}")
     if array.dtype != np.float64:
-        raise GroundloopError(f"{name} must hold float64, not {array.dtype}")
+        raise GroundrollError(f"{name} must hold float64, not {array.dtype}")
     if array.flags.carray:
         return
     if not array.flags.writeable:
-        raise GroundloopError(f"{name} is read-only")
-    raise GroundloopError(
+        raise GroundrollError(f"{name} is read-only")
+    raise GroundrollError(
         f"{name} must be contiguous in C order, as np.empty({shape}) is; its strides are"
         f" {array.strides}"
     )

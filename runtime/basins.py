@@ -11,7 +11,7 @@ import numpy as np
 
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .fates import FATES, ByteArray, Criterion, fates
 from .generated.names import QUANTITIES
 from .kicks import check_tire, kick
@@ -44,7 +44,7 @@ class Basin(Pictured, Result):
     x, y : ndarray, shapes (nx,), (ny,)
         Their values, SI units with radians.
     fate : ndarray of int8, shape (ny, nx)
-        An index of `groundloop.Survival.FATES`.
+        An index of `groundroll.Survival.FATES`.
     when : ndarray, shape (ny, nx)
         When the aircraft has straightened out, s; NaN where it does not.
     aircraft : Aircraft
@@ -167,9 +167,9 @@ def basin(
     station : float
         Where an impulse acts, m ahead of the CG.
     half_width, heading, settled, t : float
-        See `groundloop.survival`.
+        See `groundroll.survival`.
     threads, executor, progress
-        As for `groundloop.ensemble`.
+        As for `groundroll.ensemble`.
 
     Returns
     -------
@@ -178,15 +178,15 @@ def basin(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, values that do not increase, or a tire that is wrong at large slip.
     """
     criterion = Criterion(half_width, heading, settled, t)
     axes = dict((_axis("x", x), _axis("y", y)))
     if len(axes) != 2:
-        raise GroundloopError("x and y are the same; a basin needs two axes")
+        raise GroundrollError("x and y are the same; a basin needs two axes")
     if arrays := [s for s, value in plane.given.items() if value.ndim]:
-        raise GroundloopError(
+        raise GroundrollError(
             f"a basin is of one aircraft, but {', '.join(arrays)} of {plane.name} are arrays"
         )
     (x_name, x_values), (y_name, y_values) = axes.items()
@@ -220,17 +220,17 @@ def _axis(which: str, axis: tuple[str, Any]) -> tuple[str, FloatArray]:
     try:
         name, given = axis
     except (TypeError, ValueError):
-        raise GroundloopError(f"{which} must be a pair (name, values), not {axis!r}") from None
+        raise GroundrollError(f"{which} must be a pair (name, values), not {axis!r}") from None
     key = str(name)
     if key not in _STARTS:
         try:
             key = symbol(key, "parameter", parameter_symbols())
-        except GroundloopError:
+        except GroundrollError:
             known = [QUANTITIES[s].name for s in parameter_symbols()]
             raise unknown("axis", key, [*_STARTS, *known, *parameter_symbols()]) from None
     values = finite(f"{which} ({key})", given, QUANTITIES[_STARTS.get(key, key)].unit)
     if values.ndim != 1 or values.size < 2 or (np.diff(values) <= 0).any():
-        raise GroundloopError(f"{which} ({key}) must be a list of two or more increasing values")
+        raise GroundrollError(f"{which} ({key}) must be a list of two or more increasing values")
     return key, values
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from .aircraft import FOLLOWS, Aircraft, NotGivenError, Source, parameter_symbols
 from .arrays import FloatArray
 from .consistency import as_written, contradictions, following, in_words, words
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import elementwise
 from .generated import build
 from .generated.names import MODELS, QUANTITIES
@@ -161,7 +161,7 @@ def _missing(plane: Aircraft, tire: str) -> Iterator[str]:
             q = QUANTITIES[s]
             from_others = f", or {' and '.join(_roots(plane, s))}" if s in FOLLOWS else ""
             yield f"{q.name} ({q.meaning}){from_others}"
-        except GroundloopError as problem:
+        except GroundrollError as problem:
             yield str(problem)
 
 
@@ -194,7 +194,7 @@ def _unusual(plane: Aircraft, known: tuple[Known, ...]) -> Iterator[str]:
 
 @cache
 def _usual() -> list[dict[str, Any]]:
-    text = (resources.files("groundloop") / "plausible.toml").read_text(encoding="utf-8")
+    text = (resources.files("groundroll") / "plausible.toml").read_text(encoding="utf-8")
     rules: list[dict[str, Any]] = tomllib.loads(text)["usual"]
     return rules
 
@@ -237,7 +237,7 @@ def _stability(plane: Aircraft) -> Iterator[str]:
     """Where the linear model is unstable."""
     try:
         window = speed_window(plane)
-    except GroundloopError:
+    except GroundrollError:
         return
     unit = as_written(plane, "u")[1]
     low, high = (np.ravel(v) * from_si(1.0, "m/s", unit) for v in (window.low, window.high))

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from .arrays import FloatArray, whole
-from .errors import GroundloopError
+from .errors import GroundrollError
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -101,7 +101,7 @@ def thread_count(threads: Any) -> int:
 def check_memory(needed: int, what: str) -> None:
     """Refuse what does not fit into memory, before any work starts."""
     if needed > _LITTLE and needed > (there := _available()):
-        raise GroundloopError(
+        raise GroundrollError(
             f"{what} take {_gigabytes(needed)}, but there are only {_gigabytes(there)} of memory;"
             " ask for fewer names or times, or run parts one after the other"
         )

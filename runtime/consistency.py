@@ -9,7 +9,7 @@ import numpy as np
 
 from .aircraft import FOLLOWS, Aircraft, NotGivenError, parameter_symbols
 from .arrays import FloatArray
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .generated.names import QUANTITIES
 from .units import parts
 
@@ -70,7 +70,7 @@ def following(plane: Aircraft, key: str) -> FloatArray | None:
     """What a parameter would be if it were not given; None if it would not follow."""
     try:
         return plane.replace(**{key: None})[key]
-    except GroundloopError:
+    except GroundrollError:
         return None
 
 
@@ -176,6 +176,6 @@ def _impossible(plane: Aircraft) -> Iterator[Contradiction]:
             plane[key]
         except NotGivenError:
             continue
-        except GroundloopError as problem:
+        except GroundrollError as problem:
             yield Contradiction(key, f"that {problem}", "data from which a possible value follows")
             return

@@ -14,7 +14,7 @@ from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, common_shape, finite, positive, whole
 from .chunks import piece
 from .ensemble_result import Ensemble, Named
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .generated import kernels
 from .generated.kernels import Outcome, Task
 from .generated.names import KERNELS, QUANTITIES
@@ -157,7 +157,7 @@ def plan(
     own = {f"{s}0": value for s, value in x0.items()}
     shape = common_shape({**aircraft.given, **u, **own})
     if 0 in shape:
-        raise GroundloopError(f"there is nothing to simulate: the arrays broadcast to {shape}")
+        raise GroundrollError(f"there is nothing to simulate: the arrays broadcast to {shape}")
     times = _times(at, duration)
     if names is None:
         path = {"X", "Y"} & start.keys()
@@ -192,7 +192,7 @@ def watching(
 
     def bounds(kind: str, given: Mapping[str, float | str]) -> dict[str, float]:
         if not isinstance(given, Mapping):
-            raise GroundloopError(f"{kind} must be a mapping of names to numbers, not {given!r}")
+            raise GroundrollError(f"{kind} must be a mapping of names to numbers, not {given!r}")
         each = {symbol(name, "name", allowed, kind): (name, v) for name, v in given.items()}
         return {
             s: positive(f"{kind}[{name!r}]", value, QUANTITIES[s].unit)
@@ -236,7 +236,7 @@ def _parameter_names() -> dict[str, None]:
 
 def listed(what: str, names: Iterable[str]) -> list[str]:
     if isinstance(names, str):
-        raise GroundloopError(f"{what} must be a list of names, not the string {names!r}")
+        raise GroundrollError(f"{what} must be a list of names, not the string {names!r}")
     return list(names)
 
 
@@ -252,7 +252,7 @@ def check_tolerance(tol: Any) -> float:
     number = positive("tol", tol)
     finest, coarsest = TOLERANCES
     if not finest <= number <= coarsest:
-        raise GroundloopError(f"tol must be from {finest:g} to {coarsest:g}, not {number:g}")
+        raise GroundrollError(f"tol must be from {finest:g} to {coarsest:g}, not {number:g}")
     return number
 
 
@@ -261,9 +261,9 @@ def _times(at: Any, duration: float) -> FloatArray:
         return np.empty(0)
     times = np.atleast_1d(finite("at", at, "s"))
     if times.ndim != 1 or times.size == 0 or (np.diff(times) <= 0).any():
-        raise GroundloopError("at must be a list of increasing times")
+        raise GroundrollError("at must be a list of increasing times")
     if times[0] < 0 or times[-1] > duration:
-        raise GroundloopError(
+        raise GroundrollError(
             f"at must lie within 0 to t = {duration:g} s, not {times[0]:g} to {times[-1]:g} s"
         )
     return times

@@ -88,7 +88,7 @@ def ensemble(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, values that cannot be, shapes that do not broadcast, or more memory
         than there is, before any work starts.
     """

@@ -6,11 +6,11 @@ import difflib
 from collections.abc import Iterable
 
 
-class GroundloopError(ValueError):
+class GroundrollError(ValueError):
     """Something was asked that cannot be done; the message says what to change."""
 
 
-class UnexpectedError(GroundloopError):
+class UnexpectedError(GroundrollError):
     """Something else than what belongs in a place.
 
     Attributes
@@ -25,7 +25,7 @@ class UnexpectedError(GroundloopError):
         self.expected = expected
 
 
-class UnknownNameError(GroundloopError, KeyError):
+class UnknownNameError(GroundrollError, KeyError):
     """A name that does not exist; the message names the nearest that do."""
 
     def __str__(self) -> str:

@@ -16,7 +16,7 @@ from .arrays import FloatArray, common_shape, finite, positive
 from .chunks import cut, piece, run
 from .ensemble_result import Ensemble
 from .ensembles import ensemble
-from .errors import GroundloopError
+from .errors import GroundrollError
 
 ByteArray = npt.NDArray[np.int8]
 
@@ -54,7 +54,7 @@ class Criterion:
         for name, unit in {"half_width": "m", "heading": "rad", "settled": "1", "t": "s"}.items():
             object.__setattr__(self, name, positive(name, getattr(self, name), unit))
         if self.settled >= 1:
-            raise GroundloopError(f"settled must be below 1, not {self.settled!r}")
+            raise GroundrollError(f"settled must be below 1, not {self.settled!r}")
 
 
 def fates(
@@ -78,7 +78,7 @@ def fates(
     told : callable
         Called with every number of runs that are done.
     **options
-        ``threads`` and ``executor`` of `groundloop.ensemble`.
+        ``threads`` and ``executor`` of `groundroll.ensemble`.
 
     Returns
     -------

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from .errors import GroundloopError
+from .errors import GroundrollError
 
 
 @contextmanager
@@ -17,7 +17,7 @@ def complete(path: Path) -> Iterator[Path]:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If the folder is not there or cannot be written to.
     """
     try:
@@ -26,4 +26,4 @@ def complete(path: Path) -> Iterator[Path]:
             yield draft
             os.replace(draft, path)
     except OSError as problem:
-        raise GroundloopError(f"cannot write {path}: {problem.strerror}") from problem
+        raise GroundrollError(f"cannot write {path}: {problem.strerror}") from problem

@@ -1,9 +1,9 @@
 """Side forces that vary over time: what `simulate` takes as its `disturbance`.
 
->>> import groundloop as gl
->>> plane = gl.Aircraft.load("brott")
->>> gust = gl.gusts.one_minus_cosine(peak="400 N", start=1.0, length=0.5)
->>> run = gl.simulate(plane, disturbance=gust, t=5.0)
+>>> import groundroll as gr
+>>> plane = gr.Aircraft.load("brott")
+>>> gust = gr.gusts.one_minus_cosine(peak="400 N", start=1.0, length=0.5)
+>>> run = gr.simulate(plane, disturbance=gust, t=5.0)
 
 Forces act on the vertical tail, N, positive to the right (a wind from the left); times are in s.
 Any number may be a string with a unit, or an array for several runs at once.
@@ -22,7 +22,7 @@ import numpy as np
 from .aircraft import Aircraft
 from .arrays import FloatArray, as_inputs, finite
 from .chunks import check_memory
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import columns
 from .names import signature
 
@@ -69,13 +69,13 @@ class Gust:
         try:
             given = self.force(times)
         except (TypeError, ValueError) as problem:
-            raise GroundloopError(
+            raise GroundrollError(
                 f"{self.label} must take an array of times and give an array of forces; it failed:"
                 f" {problem}. numpy.vectorize makes such a function of one that takes a number"
             ) from problem
         force = finite(f"the force of {self.label}", given)
         if force.shape[-1:] != times.shape:
-            raise GroundloopError(
+            raise GroundrollError(
                 f"{self.label} must give one force for each of {times.size} times, along the last"
                 f" axis; it gave shape {force.shape}"
             )
@@ -114,7 +114,7 @@ class Gust:
                 before, after = (_differences(force, order) for force in (coarse, fine))
                 if after.max() > max(2 * before.max() / 4**order, 1e-9 * np.abs(fine).max()):
                     near = begin + (after.argmax() + order / 2) / (4 * pieces) * (last - begin)
-                    raise GroundloopError(
+                    raise GroundrollError(
                         f"{self.label} {_JUMPS[order]} near t = {near:.4g} s, or varies too"
                         f" quickly; say where, as gusts.of_time(force, breaks=[{near:.4g}]) does"
                     )
@@ -168,7 +168,7 @@ def step(size: Any, start: Any = 0.0, end: Any = None) -> Gust:
     height, begin = finite("size", size, "N"), finite("start", start, "s")
     last = None if end is None else finite("end", end, "s")
     if last is not None and (last <= begin).any():
-        raise GroundloopError(f"end must come after start, not {end} after {start}")
+        raise GroundrollError(f"end must come after start, not {end} after {start}")
 
     def force(t: FloatArray) -> FloatArray:
         on = t >= begin[..., None]
@@ -197,9 +197,9 @@ def sampled(t: Any, force: Any, *, hold: bool = False) -> Gust:
     """
     times, values = finite("t", t, "s"), finite("force", force, "N")
     if times.ndim != 1 or times.size == 0 or (np.diff(times) <= 0).any():
-        raise GroundloopError("t must be a list of increasing times")
+        raise GroundrollError("t must be a list of increasing times")
     if values.shape[-1:] != times.shape:
-        raise GroundloopError(
+        raise GroundrollError(
             f"force must have one sample for each of {times.size} times along its last axis, not"
             f" shape {values.shape}"
         )
@@ -238,7 +238,7 @@ def of_time(
         Time, s, from which the force stays as it is then; it goes on for ever if omitted.
     """
     if not callable(force):
-        raise GroundloopError(f"force must be a function of an array of times, not {force!r}")
+        raise GroundrollError(f"force must be a function of an array of times, not {force!r}")
     label = f"function {getattr(force, '__name__', type(force).__name__)}"
     jumps = finite("breaks", breaks, "s")
     if end is None:
@@ -290,7 +290,7 @@ def _differences(force: FloatArray, order: int) -> FloatArray:
 def _positive(name: str, value: Any, unit: str) -> FloatArray:
     number = finite(name, value, unit)
     if (number <= 0).any():
-        raise GroundloopError(f"{name} must be positive, not {value}")
+        raise GroundrollError(f"{name} must be positive, not {value}")
     return number
 
 

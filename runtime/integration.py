@@ -14,7 +14,7 @@ import numpy as np
 from . import generated
 from .arrays import FloatArray, finite
 from .chunks import check_memory
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .names import signature
 
 METHODS = ("rk45", "rk4")
@@ -78,7 +78,7 @@ def integrator(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For an unknown tire or method, or times that do not increase from above zero.
     """
     signature(tire)
@@ -86,7 +86,7 @@ def integrator(
         raise unknown("method", method, METHODS)
     longest = _LONGEST[method] if step is None else float(finite("step", step))
     if longest <= 0:
-        raise GroundloopError(f"step must be positive, not {longest}")
+        raise GroundrollError(f"step must be positive, not {longest}")
     return _integrator(tire, method, tuple(_grid(t).tolist()), longest, bool(piecewise))
 
 
@@ -139,7 +139,7 @@ def integrate(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If a run leaves the numbers; the message says which.
     """
     F = integrator(tire, method, t)
@@ -181,7 +181,7 @@ def integrate_varying(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If a run leaves the numbers, or halving the steps doesn't settle it.
     """
     runs = x0.shape[1]
@@ -205,7 +205,7 @@ def integrate_varying(
         unsettled = unsettled[(change > _AGREED * size).any(axis=1)]
         if unsettled.size == 0:
             return x
-    raise GroundloopError(
+    raise GroundrollError(
         f"run {unsettled[0]} of {runs}: the disturbance varies too quickly to be resolved in steps"
         f" of {_FIRST_STEP / 2**_HALVINGS * 1e3:.2g} ms"
     )
@@ -217,11 +217,11 @@ def _advance(
     try:
         x = np.array(F(x0, u, p), dtype=np.float64)
     except RuntimeError as problem:
-        raise GroundloopError(
+        raise GroundrollError(
             f"run {run} of {runs}: the integration failed; the motion grows without bound"
         ) from problem
     if not np.isfinite(x).all():
-        raise GroundloopError(
+        raise GroundrollError(
             f"run {run} of {runs}: the motion grows beyond what a number can hold"
         )
     return x
@@ -263,9 +263,9 @@ def _repeat(counts: Sequence[int]) -> list[int]:
 def _grid(t: Any) -> FloatArray:
     times = np.atleast_1d(finite("t", t))
     if times.ndim != 1 or times.size == 0:
-        raise GroundloopError(
+        raise GroundrollError(
             f"t must be a number or a list of numbers, not of shape {times.shape}"
         )
     if times[0] <= 0 or (np.diff(times) <= 0).any():
-        raise GroundloopError("t must be positive and increasing; the start, t = 0, is left out")
+        raise GroundrollError("t must be positive and increasing; the start, t = 0, is left out")
     return times

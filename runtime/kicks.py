@@ -17,7 +17,7 @@ import numpy as np
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, broadcast, finite
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import elementwise
 from .fates import FATES, OUT, ByteArray, Criterion, fates
 from .generated import build
@@ -154,7 +154,7 @@ def survival(
         Largest impulse tried, N s. Default: one that changes v, or r times the arm of the tail,
         by the forward speed.
     threads, executor
-        As for `groundloop.ensemble`.
+        As for `groundroll.ensemble`.
     progress : callable or bool, optional
         Called with the numbers of runs done and in all; the latter is the most that there may
         be, and falls while bisection goes on. True draws a bar on a terminal.
@@ -166,7 +166,7 @@ def survival(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For values that cannot be, or a tire whose force changes its sign at a large slip angle.
     """
     aircraft = plane if speed is None else plane.replace(u=speed)
@@ -270,7 +270,7 @@ def _top(plane: dict[str, FloatArray], unit: tuple[FloatArray, FloatArray]) -> F
 def _positive(largest: Any, shape: tuple[int, ...]) -> FloatArray:
     value = finite("largest", largest, "N s")
     if (value <= 0).any():
-        raise GroundloopError(f"largest must be positive, not {largest!r}")
+        raise GroundrollError(f"largest must be positive, not {largest!r}")
     arrays, _ = broadcast({"largest": value, "the cases": np.empty(shape)})
     return arrays["largest"]
 
@@ -283,7 +283,7 @@ def check_tire(plane: Aircraft) -> None:
     force = elementwise("tire_force", {**others, "alpha": slip})["F_y"]
     if (force <= 0).any():
         first = math.degrees(slip[(force <= 0).reshape(-1, slip.size).any(axis=0).argmax()])
-        raise GroundloopError(
+        raise GroundrollError(
             f"the tire of {plane.name} reverses its force at a slip angle of {first:.0f}°: a kick"
             " needs a tire that is right at large slip, such as that of brott-physical"
         )

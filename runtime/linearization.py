@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, as_inputs, finite
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import columns, elementwise
 from .listing import Listed, span, unit_of
 from .names import signature
@@ -114,13 +114,13 @@ class Linearization(Listed, Result):
             given = {s: pick(value) for s, value in self.aircraft.given.items() if value.ndim}
             at = OperatingPoint(pick(self.at.v), pick(self.at.r), pick(self.at.disturbance))
         except IndexError as problem:
-            raise GroundloopError(f"there is no [{index}] among points {shape}") from problem
+            raise GroundrollError(f"there is no [{index}] among points {shape}") from problem
         return linearize(self.aircraft.replace(**given), self.tire, at)
 
     def sensitivities(self) -> Sensitivities:
         """Exact derivatives of A and of the eigenvalues by each parameter of the model.
 
-        See `groundloop.sensitivities.Sensitivities`.
+        See `groundroll.sensitivities.Sensitivities`.
         """
         from .sensitivities import sensitivities
 
@@ -131,20 +131,20 @@ class Linearization(Listed, Result):
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If this is more than one point, or the package is not installed.
         """
         if self.decay_rate.ndim:
             first = ", ".join("0" * self.decay_rate.ndim)
-            raise GroundloopError(
+            raise GroundrollError(
                 f"a StateSpace holds one point, not {self.decay_rate.shape}: choose one, as in"
                 f" lin[{first}].to_control()"
             )
         try:
             import control
         except ImportError:
-            raise GroundloopError(
-                "to_control() needs the package control: pip install 'groundloop[control]'"
+            raise GroundrollError(
+                "to_control() needs the package control: pip install 'groundroll[control]'"
             ) from None
         names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
         return control.StateSpace(

@@ -13,7 +13,7 @@ from matplotlib.patheffects import withStroke
 
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .generated.names import QUANTITIES
 from .names import symbol
 from .plots import COLOURS, INK, MUTED, style
@@ -48,7 +48,7 @@ def draw(
     marks: Mapping[str, Aircraft],
     ranges: Mapping[str, tuple[Any, Any]],
 ) -> Axes:
-    """Draw a map; see `groundloop.maps.StabilityMap.plot`."""
+    """Draw a map; see `groundroll.maps.StabilityMap.plot`."""
     shown = _Units(chart, units)
     with style():
         if ax is None:
@@ -133,7 +133,7 @@ def _levels(values: Any) -> FloatArray:
 
     present = values.compressed()
     if present.size == 0:
-        raise GroundloopError("there is nothing to draw: no point of the map has a value")
+        raise GroundrollError("there is nothing to draw: no point of the map has a value")
     low, high = np.percentile(present, [2, 96])
     if low == high:
         low, high = low - 0.5, high + 0.5

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .generated.names import MODELS, QUANTITIES
 from .listing import Pictured
 from .names import symbol
@@ -35,7 +35,7 @@ class StabilityMap(Pictured, Result):
     x, y : ndarray, shapes (nx,), (ny,)
         Their values, SI units with radians.
     of : str
-        What is mapped, a name of `groundloop.Margins` or of `groundloop.SpeedWindow`.
+        What is mapped, a name of `groundroll.Margins` or of `groundroll.SpeedWindow`.
     values : ndarray, shape (ny, nx)
         It, in the SI unit `unit`.
     aircraft : Aircraft
@@ -148,7 +148,7 @@ class StabilityMap(Pictured, Result):
         """Values of an axis with the CG at its limits, the wheels staying at their stations."""
         moving = {"x_cg", "a", "b"} & {self.x_name, self.y_name}
         if len(moving) != 1:
-            raise GroundloopError(
+            raise GroundrollError(
                 "cg_range needs one axis that moves with the CG: cg_station, main_gear_arm or"
                 f" tail_arm, not {self.x_name} and {self.y_name}"
             )
@@ -206,7 +206,7 @@ def stability_map(
     of : str
         What to map: a margin at the speed of each point (``"decay_rate"``,
         ``"damping_ratio"``, ``"damped_frequency"``, ``"static_margin"``, ... of
-        `groundloop.Margins`), or what concerns every speed (``"speed_margin"``,
+        `groundroll.Margins`), or what concerns every speed (``"speed_margin"``,
         ``"lower_critical_speed"``, ``"upper_critical_speed"``, ``"weakest_speed"``,
         ``"least_determinant"``, ``"stiffness_needed_always"``).
 
@@ -217,7 +217,7 @@ def stability_map(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, values that are no increasing list, or a parameter on which nothing
         depends.
     """
@@ -225,12 +225,12 @@ def stability_map(
         raise unknown("margin", of, CLOSED_FORMS | OVER_SPEED)
     arrays = [s for s, value in plane.given.items() if value.ndim]
     if arrays:
-        raise GroundloopError(
+        raise GroundrollError(
             f"a map is of one aircraft, but {', '.join(arrays)} of {plane.name} are arrays"
         )
     (x_name, x_values), (y_name, y_values) = (_axis("x", x), _axis("y", y))
     if x_name == y_name:
-        raise GroundloopError(f"x and y are both {x_name}; a map needs two parameters")
+        raise GroundrollError(f"x and y are both {x_name}; a map needs two parameters")
     grid = plane.replace(**{x_name: x_values[None, :], y_name: y_values[:, None]})
     values = closed_forms(grid, [of])[of]
     shape = (y_values.size, x_values.size)
@@ -250,11 +250,11 @@ def _axis(which: str, axis: tuple[str, Any]) -> tuple[str, FloatArray]:
     try:
         name, given = axis
     except (TypeError, ValueError):
-        raise GroundloopError(f"{which} must be a pair (name, values), not {axis!r}") from None
+        raise GroundrollError(f"{which} must be a pair (name, values), not {axis!r}") from None
     key = symbol(str(name), "parameter", parameter_symbols(), f"{which} of the map")
     values = finite(f"{which} ({key})", given, QUANTITIES[key].unit)
     if values.ndim != 1 or values.size < 2 or (np.diff(values) <= 0).any():
-        raise GroundloopError(f"{which} ({key}) must be a list of two or more increasing values")
+        raise GroundrollError(f"{which} ({key}) must be a list of two or more increasing values")
     return key, values
 
 
@@ -263,7 +263,7 @@ def _check_influence(grid: Aircraft, of: str, values: FloatArray, sizes: Mapping
     for (name, size), found in zip(sizes.items(), values.shape or (1, 1), strict=True):
         if size != found:
             given = ", ".join(s for s in MODELS["linear"].parameters if s in grid.given)
-            raise GroundloopError(
+            raise GroundrollError(
                 f"{of} of {grid.name} does not depend on {QUANTITIES[name].name} ({name}): the"
                 f" parameters {given} are given; replace(...=None) lets one follow from others"
             )

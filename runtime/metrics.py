@@ -119,7 +119,7 @@ def metrics(run: Trajectory, of: str | Sequence[str] = "y") -> Metrics:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If there is no such state, or it is not known when the gust of the run ends.
     """
     states, shape = signature(run.tire).states, run["v"].shape[:-1]

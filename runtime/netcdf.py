@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .records import Record
 from .tables import needed, to_xarray
 
@@ -32,8 +32,8 @@ def write(path: Path, record: Record, text: str) -> None:
     try:
         dataset.assign_attrs(record=text, checksum=check).to_netcdf(path, encoding=plain)
     except (ImportError, ValueError) as problem:
-        raise GroundloopError(
-            f"cannot write NetCDF ({problem}): pip install 'groundloop[netcdf]'"
+        raise GroundrollError(
+            f"cannot write NetCDF ({problem}): pip install 'groundroll[netcdf]'"
         ) from problem
 
 

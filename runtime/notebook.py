@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import FloatArray
-from .errors import GroundloopError
+from .errors import GroundrollError
 
 _CELL = "text-align:left;padding:1px 8px"
 
@@ -34,7 +34,7 @@ def picture(text: str, plot: Callable[[], Any]) -> str:
     words = f"<pre>{escape(text)}</pre>"
     try:
         drawn = plot()
-    except GroundloopError:
+    except GroundrollError:
         return f"<div>{words}</div>"
     axes = drawn[0] if isinstance(drawn, tuple) else drawn
     figure = getattr(axes, "figure", None) or axes

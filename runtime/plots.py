@@ -10,7 +10,7 @@ import matplotlib as mpl
 import numpy as np
 from cycler import cycler
 
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .generated.names import QUANTITIES
 from .names import symbol
 from .units import from_si
@@ -110,13 +110,13 @@ def time_history(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For an unknown name, no name, or another number of axes than of names.
     """
     wanted = [names] if isinstance(names, str) else list(names)
     symbols = [symbol(n, "state or output", tuple(run.values), "this run") for n in wanted]
     if not symbols:
-        raise GroundloopError("nothing to plot: names is empty")
+        raise GroundrollError("nothing to plot: names is empty")
     with style():
         axes = _axes(ax, len(symbols))
         for axis, name in zip(axes, symbols, strict=True):
@@ -135,7 +135,7 @@ def _axes(ax: Axes | Sequence[Axes] | None, count: int) -> list[Axes]:
         return list(made[:, 0])
     given = list(np.atleast_1d(np.asarray(ax, dtype=object)))
     if len(given) != count:
-        raise GroundloopError(f"there are {count} names to plot but {len(given)} axes")
+        raise GroundrollError(f"there are {count} names to plot but {len(given)} axes")
     return given
 
 

@@ -21,13 +21,13 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft, Source
 from .arrays import FloatArray
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .files import complete
 from .generated.names import DIGEST, QUANTITIES
 
 #: Raised when the layout changes.
 _LAYOUT = 2
-_PACKAGES = ("groundloop", "casadi", "numpy")
+_PACKAGES = ("groundroll", "casadi", "numpy")
 
 
 @dataclass(frozen=True)
@@ -149,7 +149,7 @@ def write(record: Record, path: str | Path) -> Path:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If the path ends in anything else or cannot be written.
     """
     target = Path(path)
@@ -171,25 +171,25 @@ def read(path: str | Path, *, other_equations: bool = False) -> Record:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If the file cannot be read, is damaged or no record, or comes from other equations.
     """
     _, fetch = _format(Path(path))
     if not Path(path).is_file():
-        raise GroundloopError(f"cannot read {path}: there is no such file")
+        raise GroundrollError(f"cannot read {path}: there is no such file")
     try:
         text, arrays = fetch(Path(path))
         about = json.loads(text)
         layout = about["layout"]
     except (OSError, ValueError, LookupError, AttributeError, BadZipFile, zlib.error) as problem:
-        raise GroundloopError(f"{path} is no record of groundloop, or is damaged") from problem
+        raise GroundrollError(f"{path} is no record of groundroll, or is damaged") from problem
     if layout != _LAYOUT:
-        raise GroundloopError(f"{path} has the layout {layout}; this reads the layout {_LAYOUT}")
+        raise GroundrollError(f"{path} has the layout {layout}; this reads the layout {_LAYOUT}")
     equations = about["provenance"]["equations"]
     if equations != DIGEST and not other_equations:
-        raise GroundloopError(
-            f"{path} was computed from other equations (digest {equations}, groundloop"
-            f" {about['provenance']['groundloop']}) than those installed ({DIGEST}); compute it"
+        raise GroundrollError(
+            f"{path} was computed from other equations (digest {equations}, groundroll"
+            f" {about['provenance']['groundroll']}) than those installed ({DIGEST}); compute it"
             " again, or accept it with other_equations=True"
         )
     return _put_together(about, arrays)
@@ -203,7 +203,7 @@ def _format(path: Path) -> Any:
         from . import netcdf
 
         return netcdf.write, netcdf.read
-    raise GroundloopError(f"{path} must end in .npz or in .nc (NetCDF): results are kept in these")
+    raise GroundrollError(f"{path} must end in .npz or in .nc (NetCDF): results are kept in these")
 
 
 def _text(record: Record) -> str:

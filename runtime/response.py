@@ -11,7 +11,7 @@ import numpy as np
 
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite, positive, whole
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .generated.names import QUANTITIES
 from .linearization import ComplexArray, Linearization, OperatingPoint, linearize
 from .listing import Pictured, span, unit_of
@@ -109,13 +109,13 @@ def frequency_response(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, frequencies that cannot be, or one at which the response is infinite.
     """
     B, C, D, names = _channel(lin, output, input)
     omega = _default_frequencies(lin) if frequency is None else finite("frequency", frequency)
     if omega.ndim != 1 or omega.size == 0 or (omega < 0).any():
-        raise GroundloopError("frequency must be a list of numbers, zero or more, in rad/s")
+        raise GroundrollError("frequency must be a list of numbers, zero or more, in rad/s")
     s = 1j * omega[:, None, None]
     M = s * np.eye(2) - lin.A[..., None, :, :]
     trace = np.trace(M, axis1=-2, axis2=-1)
@@ -124,7 +124,7 @@ def frequency_response(
     if (polynomial == 0).any():
         where = omega[np.argwhere(polynomial == 0)[0][-1]]
         why = " (A is singular: main gear at the CG, nothing at the tail?)" if where == 0 else ""
-        raise GroundloopError(
+        raise GroundrollError(
             f"the response at {where:g} rad/s is infinite: i times it is an eigenvalue of A{why}"
         )
     numerator = np.einsum("...i,...nij,...j->...n", C, adjugate, B)
@@ -150,7 +150,7 @@ def _default_frequencies(lin: Linearization) -> FloatArray:
     speeds = np.abs(lin.eigenvalues)
     speeds = speeds[speeds > 1e-9 * speeds.max()]
     if speeds.size == 0:
-        raise GroundloopError("every eigenvalue is zero: name the frequencies to look at")
+        raise GroundrollError("every eigenvalue is zero: name the frequencies to look at")
     low, high = np.log10(speeds.min() / _SPAN), np.log10(speeds.max() * _SPAN)
     return np.logspace(low, high, 400)
 
@@ -239,7 +239,7 @@ def step_response(
             state[..., k, :] = np.einsum("...ij,...j->...i", advance, state[..., k - 1, :])
         values = np.einsum("...i,...ni->...n", C, state[..., :2]) + (D * height)[..., None]
     if not np.isfinite(values).all():
-        raise GroundloopError(
+        raise GroundrollError(
             f"the step response grows beyond what a number can hold within {duration:g} s"
         )
     return StepResponse(times, values, *names, height)
@@ -329,11 +329,11 @@ def root_locus(
     swept = finite(f"values of {key}", values, QUANTITIES[key].unit)
     steps = np.diff(np.atleast_1d(swept))
     if swept.ndim != 1 or swept.size < 2 or not ((steps > 0).all() or (steps < 0).all()):
-        raise GroundloopError(f"values of {key} must be a list that increases or decreases")
+        raise GroundrollError(f"values of {key} must be a list that increases or decreases")
     aircraft = plane if speed is None else plane.replace(u=speed)
     lin = linearize(aircraft.replace(**{key: swept}), tire, at, disturbance=disturbance)
     if lin.decay_rate.shape not in ((), swept.shape):
-        raise GroundloopError(
+        raise GroundrollError(
             f"a locus has one parameter, but other arrays give it the shape {lin.decay_rate.shape}"
         )
     eigenvalues = np.broadcast_to(lin.eigenvalues, (*swept.shape, 2))

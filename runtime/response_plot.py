@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.patheffects import withStroke
 
 from .arrays import FloatArray
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .generated.names import QUANTITIES
 from .plots import COLOURS, DASHES, INK, MUTED, SHOWN_UNITS, axis_label, in_shown_unit, style
 from .units import from_si
@@ -61,7 +61,7 @@ def bode(
 
             _, ax = pyplot.subplots(2, 1, sharex=True, figsize=(6, 5))
         if (count := np.asarray(ax, dtype=object).size) != 2:
-            raise GroundloopError(f"a Bode diagram needs two axes, not {count}")
+            raise GroundrollError(f"a Bode diagram needs two axes, not {count}")
         above, below = ax
         magnitude = in_shown_unit(response.output, response.magnitude)
         phase = np.degrees(response.phase)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Self
 
 from . import records
-from .errors import GroundloopError
+from .errors import GroundrollError
 
 if TYPE_CHECKING:
     import pandas
@@ -61,7 +61,7 @@ class Result:
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If the path ends in anything else or cannot be written.
         """
         return records.write(self._record(), path)
@@ -79,13 +79,13 @@ class Result:
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If the file is no such thing, is damaged, or comes from other equations.
         """
         result = restored(records.read(path, other_equations=other_equations))
         if not isinstance(result, cls):
             words = f"{path} holds a {type(result).__name__}, not a {cls.__name__}"
-            raise GroundloopError(words)
+            raise GroundrollError(words)
         return result
 
     def _record(self) -> records.Record:

@@ -13,7 +13,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
 from .arrays import finite
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .files import complete
 from .generated.names import QUANTITIES
 from .plots import COLOURS, INK, MUTED, style
@@ -69,7 +69,7 @@ def runway_view(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For a width, interval or stretch that is not positive, or too few or many labels.
     """
     _check(width=width, every=every, stretch=stretch)
@@ -126,7 +126,7 @@ def animate(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For another suffix, a writer that is not there, or numbers that are not positive.
     """
     _check(width=width, stretch=stretch, fps=fps, slow_motion=slow_motion, dpi=dpi)
@@ -166,16 +166,16 @@ def animate(
 def _check(**positive: float) -> None:
     for name, value in positive.items():
         if not finite(name, value) > 0:
-            raise GroundloopError(f"{name} must be positive, not {value}")
+            raise GroundrollError(f"{name} must be positive, not {value}")
 
 
 def _rolls(run: Trajectory | Sequence[Trajectory], labels: Sequence[str] | None) -> list[Roll]:
     runs = [run] if isinstance(run, Trajectory) else list(run)
     parts = [part for each in runs for part in _parts(each)]
     if not parts:
-        raise GroundloopError("nothing to draw: no run was given")
+        raise GroundrollError("nothing to draw: no run was given")
     if labels is not None and len(labels) != len(parts):
-        raise GroundloopError(f"there are {len(parts)} runs but {len(labels)} labels")
+        raise GroundrollError(f"there are {len(parts)} runs but {len(labels)} labels")
     for k, label in enumerate(labels or ()):
         parts[k] = replace(parts[k], label=label)
     return [replace(part, colour=COLOURS[k % len(COLOURS)]) for k, part in enumerate(parts)]
@@ -314,5 +314,5 @@ def _writer(path: Path, fps: int) -> Any:
         raise unknown("suffix", path.suffix, writers, f"{path}")
     writer = writers[path.suffix.lower()]
     if not writer.isAvailable():
-        raise GroundloopError(f"{path}: an .mp4 needs ffmpeg, which is not installed; .gif works")
+        raise GroundrollError(f"{path}: an .mp4 needs ffmpeg, which is not installed; .gif works")
     return writer(fps=fps)

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from .arrays import FloatArray
 from .curve import Curve
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import columns
 from .gusts import Gust
 from .integration import integrate_varying, integrator
@@ -52,7 +52,7 @@ def responses(run: Trajectory) -> list[Response | None]:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If it is not known when the gust of the run ends.
     """
     names, shape = signature(run.tire), run["v"].shape[:-1]
@@ -85,7 +85,7 @@ def _gust(run: Trajectory) -> Gust:
             lambda t: np.repeat(run.disturbance[..., None], t.size, axis=-1), end=np.zeros(())
         )
     if not np.isfinite(run.gust.end).all():
-        raise GroundloopError(
+        raise GroundrollError(
             f"metrics follow a response until it is steady, and the {run.gust.label} has no end"
             " that is known: say from when on it is constant, as gusts.of_time(force, end=3.0)"
             " does, or read the series instead, e.g. abs(run['Y']).max()"

@@ -47,7 +47,7 @@ class Trajectory(Listed, Result):
         Side force on the tail, N: constant, or over time, shape (*shape, samples), if `gust` is
         given. ``run["disturbance"]`` is the series over time either way.
     gust : Gust, optional
-        What varied over time; see `groundloop.gusts`.
+        What varied over time; see `groundroll.gusts`.
     """
 
     t: FloatArray
@@ -63,7 +63,7 @@ class Trajectory(Listed, Result):
     def metrics(self, of: str | Sequence[str] = "y") -> Metrics:
         """Steady state, peak, recovery, rise and settling time, overshoot of y or other states.
 
-        See `groundloop.metrics.metrics`.
+        See `groundroll.metrics.metrics`.
         """
         from .metrics import metrics
 
@@ -74,7 +74,7 @@ class Trajectory(Listed, Result):
         names: Sequence[str] = ("y", "theta"),
         ax: Axes | Sequence[Axes] | None = None,
     ) -> tuple[Axes, ...]:
-        """Plot states or outputs over time; see `groundloop.plots.time_history`."""
+        """Plot states or outputs over time; see `groundroll.plots.time_history`."""
         from .plots import time_history
 
         return time_history(self, names, ax)
@@ -156,7 +156,7 @@ def simulate(
         Forward speed, m/s; default the aircraft's own.
     disturbance : float, array, Gust or callable
         Side force on the vertical tail, N, positive to the right: constant, or over time as a
-        gust of `groundloop.gusts` or a function from an array of times, s, to an array of forces.
+        gust of `groundroll.gusts` or a function from an array of times, s, to an array of forces.
     method : str
         ``"rk45"`` or ``"rk4"``; see `integrator`, and `integration.integrate_varying` for a
         disturbance that varies.
@@ -171,7 +171,7 @@ def simulate(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, values that cannot be, or a run that leaves the numbers.
     """
     names = signature(tire)

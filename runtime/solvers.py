@@ -10,7 +10,7 @@ import numpy as np
 
 from .arrays import FloatArray, finite
 from .ensemble_plan import check_tolerance, listed, smallest_kernel
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .generated import kernels
 from .generated.kernels import Task
 from .generated.names import KERNELS, MODELS
@@ -29,7 +29,7 @@ def solver(
 ) -> Solver:
     """A function (x0, u, p) -> states over time, for loops in Python that call it often.
 
-    `groundloop.simulate` checks and names everything; this is a kernel for single trajectories
+    `groundroll.simulate` checks and names everything; this is a kernel for single trajectories
     with nothing around it, which sweeps towards the collocation solution. Arguments are not
     checked.
 
@@ -42,7 +42,7 @@ def solver(
     names : iterable of str
         States (and outputs) that are wanted, one row each.
     tol : float
-        As for `groundloop.ensemble`.
+        As for `groundroll.ensemble`.
 
     Returns
     -------
@@ -53,7 +53,7 @@ def solver(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, times that do not increase, or `tol` outside what is offered.
     """
     model = signature(tire)
@@ -65,7 +65,7 @@ def solver(
         or times[-1] <= 0
         or (np.diff(times) <= 0).any()
     ):
-        raise GroundloopError("t must be a positive number or increasing times from 0 on")
+        raise GroundrollError("t must be a positive number or increasing times from 0 on")
     allowed = (*model.states, *model.outputs)
     wanted = tuple(
         dict.fromkeys(symbol(n, "name", allowed, "names") for n in listed("names", names))

@@ -10,7 +10,7 @@ import numpy as np
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, physical
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .evaluate import elementwise
 from .generated import build
 from .listing import Numbers
@@ -214,11 +214,11 @@ def _range(speeds: tuple[Any, Any]) -> tuple[FloatArray, FloatArray]:
     try:
         low, high = (physical("u", speed) for speed in speeds)
     except (TypeError, ValueError) as problem:
-        if isinstance(problem, GroundloopError):
+        if isinstance(problem, GroundrollError):
             raise
-        raise GroundloopError(f"speeds must be a pair (lowest, highest), not {speeds!r}") from None
+        raise GroundrollError(f"speeds must be a pair (lowest, highest), not {speeds!r}") from None
     if (low > high).any():
-        raise GroundloopError(f"speeds must be (lowest, highest), but {low} is above {high}")
+        raise GroundrollError(f"speeds must be (lowest, highest), but {low} is above {high}")
     return low, high
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, check_out, common_shape
 from .chunks import check_memory, thread_count
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .evaluate import names_of, sweep_into
 from .linearization import ComplexArray
 from .listing import Listed, span, unit_of
@@ -99,8 +99,8 @@ def sweep(
     plane : Aircraft
         The aircraft; its parameters may be arrays.
     of : iterable of str
-        ``re_1``, ``im_1``, ``re_2``, ``im_2`` (the eigenvalues) and names of `groundloop.Margins`
-        or `groundloop.SpeedWindow`. Default: eigenvalues, damping ratio, natural frequency.
+        ``re_1``, ``im_1``, ``re_2``, ``im_2`` (the eigenvalues) and names of `groundroll.Margins`
+        or `groundroll.SpeedWindow`. Default: eigenvalues, damping ratio, natural frequency.
     threads : int, optional
         Every processor if omitted; does not change a bit of the result.
     out : mapping of str to ndarray, optional
@@ -116,7 +116,7 @@ def sweep(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, values that cannot be, shapes that do not broadcast, or an `out` that
         cannot be written to.
     """
@@ -138,13 +138,13 @@ def sweep(
 
 def _names(of: Iterable[str]) -> tuple[str, ...]:
     if isinstance(of, str):
-        raise GroundloopError(f"of must be a list of names, not the string {of!r}")
+        raise GroundrollError(f"of must be a list of names, not the string {of!r}")
     names = tuple(dict.fromkeys(of))
     for name in names:
         if name not in SWEPT:
             raise unknown("result", name, SWEPT)
     if not names:
-        raise GroundloopError("nothing to sweep: of is empty")
+        raise GroundrollError("nothing to sweep: of is empty")
     return names
 
 
@@ -157,7 +157,7 @@ def _room(
         return {name: np.empty(shape) for name in names}
     if not isinstance(out, Mapping) or set(out) != set(names):
         given = ", ".join(map(str, out)) if isinstance(out, Mapping) else type(out).__name__
-        raise GroundloopError(
+        raise GroundrollError(
             f"out must map the names of the results to arrays: {', '.join(names)}; not {given}"
         )
     for name in names:
@@ -165,5 +165,5 @@ def _room(
     in_memory = sorted(names, key=lambda name: out[name].ctypes.data)
     for one, other in pairwise(in_memory):
         if np.may_share_memory(out[one], out[other]):
-            raise GroundloopError(f"out[{one!r}] and out[{other!r}] share memory")
+            raise GroundrollError(f"out[{one!r}] and out[{other!r}] share memory")
     return {name: out[name] for name in names}

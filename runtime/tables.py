@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .records import Column, Record
 
 if TYPE_CHECKING:
@@ -61,8 +61,8 @@ def needed(package: str, caller: str, extra: str = "") -> Any:
     try:
         return importlib.import_module(package)
     except ImportError:
-        raise GroundloopError(
-            f"{caller} needs the package {package}: pip install 'groundloop[{extra or package}]'"
+        raise GroundrollError(
+            f"{caller} needs the package {package}: pip install 'groundroll[{extra or package}]'"
         ) from None
 
 

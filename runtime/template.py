@@ -38,13 +38,13 @@ _REST = "follows"
 _REST_TEXT = "What follows from the rest. Give it only if the rest is not known, or to override it."
 
 _HEAD = """\
-# {name}: an aircraft file of groundloop.
+# {name}: an aircraft file of groundroll.
 #
 # Take the # away from the lines that you know. A value is a number with a unit of your choice,
 #     mass = "1650 lb"
 # or with where it comes from, and whether it is only an estimate:
 #     mass = {{ value = "1650 lb", source = "weighing of 3 May", estimate = false }}
-# A bare number is in the unit beside the question mark. Then: groundloop check {file}
+# A bare number is in the unit beside the question mark. Then: groundroll check {file}
 
 title = "{name}"
 description = \"\"\"

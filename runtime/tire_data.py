@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import FloatArray, finite
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .evaluate import elementwise
 from .units import UnitError, to_si
 
@@ -63,7 +63,7 @@ class TireData:
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If there is no such data or file, or if the file has mistakes: all of them are
             listed, each with its line.
         """
@@ -77,14 +77,14 @@ class TireData:
         try:
             text = path.read_text(encoding="utf-8")
         except OSError as problem:
-            raise GroundloopError(f"cannot read {path}: {problem.strerror}") from problem
+            raise GroundrollError(f"cannot read {path}: {problem.strerror}") from problem
         except UnicodeDecodeError as problem:
-            raise GroundloopError(f"{path} is not a text file: {problem}") from problem
+            raise GroundrollError(f"{path} is not a text file: {problem}") from problem
         table = _table(text, path)
         try:
             return cls(path.stem, np.radians(table[1:, 0]), table[0, 1:], table[1:, 1:])
-        except GroundloopError as problem:
-            raise GroundloopError(f"{path}: {problem}") from None
+        except GroundrollError as problem:
+            raise GroundrollError(f"{path}: {problem}") from None
 
     def coefficients(self) -> tuple[FloatArray, FloatArray]:
         """Cornering and friction coefficient at each load (Eqs. 3.2, 3.4).
@@ -131,14 +131,14 @@ class TireData:
 
 
 def _packaged() -> dict[str, Path]:
-    folder = resources.files("groundloop") / "fleet"
+    folder = resources.files("groundroll") / "fleet"
     files = sorted(Path(str(p)) for p in folder.iterdir() if p.name.endswith(".csv"))
     return {p.stem: p for p in files}
 
 
-def _listed(what: str, mistakes: Sequence[str]) -> GroundloopError:
+def _listed(what: str, mistakes: Sequence[str]) -> GroundrollError:
     count = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
-    return GroundloopError("\n  ".join([f"{what} has {count}:", *mistakes]))
+    return GroundrollError("\n  ".join([f"{what} has {count}:", *mistakes]))
 
 
 def _table(text: str, path: Path) -> FloatArray:
@@ -149,7 +149,7 @@ def _table(text: str, path: Path) -> FloatArray:
         if line.strip() and not line.lstrip().startswith("#")
     ]
     if len(lines) < 2:
-        raise GroundloopError(f"{path} has no data: a header and rows of numbers are needed")
+        raise GroundrollError(f"{path} has no data: a header and rows of numbers are needed")
     (number, header), body = lines[0], lines[1:]
     mistakes = []
     if header[0] != "slip_angle_deg":

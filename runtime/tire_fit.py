@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import solved
 from .generated.names import QUANTITIES
 from .tire_data import TireData
@@ -116,7 +116,7 @@ def fit_tire(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If the search finds no minimum.
     """
     data = data if isinstance(data, TireData) else TireData.load(data)
@@ -153,12 +153,12 @@ def _least_squares(
     """B1, C1, D1, E1 at the minimum of the sum of squares."""
     x0 = finite("start", start)
     if x0.shape != (len(MAGIC),):
-        raise GroundloopError(f"start must be {', '.join(MAGIC)}: 4 numbers, not {start!r}")
+        raise GroundrollError(f"start must be {', '.join(MAGIC)}: 4 numbers, not {start!r}")
     errors, x = residual(alpha_bar, F_bar)
     solver = ca.nlpsol("magic_fit", "ipopt", {"x": x, "f": ca.sumsqr(errors)}, _QUIET)
     solution = solved(solver, x0=x0, lbx=list(_LOWEST), ubx=list(_HIGHEST))
     if not solver.stats()["success"]:
-        raise GroundloopError(
+        raise GroundrollError(
             f"tire data {name!r}: the magic formula fit found no minimum from start"
             f" {tuple(map(float, x0))} (IPOPT: {solver.stats()['return_status']}); try another"
             " start, and check that the forces level off within the measured slip angles"

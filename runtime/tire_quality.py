@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .errors import GroundloopError, unknown
+from .errors import GroundrollError, unknown
 from .evaluate import elementwise
 from .generated import build
 from .tire_data import TireData
@@ -144,7 +144,7 @@ def compare(
     """
     chosen = float(finite("load", np.median(data.loads) if load is None else load))
     if chosen <= 0:
-        raise GroundloopError(f"load must be positive, not {chosen} N")
+        raise GroundrollError(f"load must be positive, not {chosen} N")
     rows = {name: _quality(data, name, parameters, chosen) for name, parameters in sets.items()}
     return Comparison(data, chosen, rows)
 
@@ -154,7 +154,7 @@ def _quality(data: TireData, name: str, parameters: ParameterSet, load: float) -
     forces = _forces(parameters, angles, np.asarray(load))
     peak = int(forces.argmax())
     if not forces[peak] > 0:
-        raise GroundloopError(f"parameter set {name!r} gives no force at a load of {load:g} N")
+        raise GroundrollError(f"parameter set {name!r} gives no force at a load of {load:g} N")
     wrong = np.flatnonzero(forces < 0)
     return Quality(
         rms=normalised_rms(data, parameters),
@@ -176,7 +176,7 @@ def _values(parameters: ParameterSet, symbols: Sequence[str]) -> dict[str, Float
     values = {s: finite(s, parameters[s]) for s in symbols}
     for s, value in values.items():
         if value.ndim:
-            raise GroundloopError(f"{s} must be one number here, not an array {value.shape}")
+            raise GroundrollError(f"{s} must be one number here, not an array {value.shape}")
     return values
 
 

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, finite
-from .errors import GroundloopError
+from .errors import GroundrollError
 from .evaluate import columns, elementwise
 from .linearization import OperatingPoint, modes_of
 from .listing import Listed
@@ -78,11 +78,11 @@ class Trim(Listed, Result):
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If there are several aircraft; take their numbers from the arrays.
         """
         if self.count.ndim:
-            raise GroundloopError(
+            raise GroundrollError(
                 f"points are those of one aircraft, not of {self.count.shape}; the arrays"
                 ' trim["v"] and trim["r"] hold all of them'
             )
@@ -169,12 +169,12 @@ def trim(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, values that cannot be, or a range that is none.
     """
     widest = float(finite("slip", slip, "rad"))
     if not 0 < widest < math.pi / 2:
-        raise GroundloopError(f"slip must be between 0 and a right angle (pi/2), not {slip}")
+        raise GroundrollError(f"slip must be between 0 and a right angle (pi/2), not {slip}")
     aircraft = plane if speed is None else plane.replace(u=speed)
     force = finite("disturbance", disturbance, "N")
     p, flat, shape = aircraft.columns(tire, disturbance=force)

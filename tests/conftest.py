@@ -3,11 +3,11 @@
 from hypothesis import Phase, settings
 
 settings.register_profile(
-    "groundloop",
+    "groundroll",
     derandomize=True,
     database=None,
     deadline=None,
     max_examples=25,
     phases=(Phase.explicit, Phase.generate, Phase.shrink),
 )
-settings.load_profile("groundloop")
+settings.load_profile("groundroll")

@@ -16,8 +16,8 @@ import numpy as np
 import sympy as sp
 from hypothesis import strategies as st
 
-from groundloop.derive.linear import linear
-from groundloop.derive.model import Model, nonlinear
+from groundroll.derive.linear import linear
+from groundroll.derive.model import Model, nonlinear
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Point = tuple[Array, Array, Array]

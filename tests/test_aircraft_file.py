@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import groundloop as gl
-from groundloop.aircraft import FOLLOWS, packaged, parameter_symbols
-from groundloop.aircraft_file import AircraftFileError, Mistake, packaged_files
-from groundloop.checking import _usual
-from groundloop.generated import MODELS, QUANTITIES
-from groundloop.units import UnitError, from_si, to_si
+import groundroll as gr
+from groundroll.aircraft import FOLLOWS, packaged, parameter_symbols
+from groundroll.aircraft_file import AircraftFileError, Mistake, packaged_files
+from groundroll.checking import _usual
+from groundroll.generated import MODELS, QUANTITIES
+from groundroll.units import UnitError, from_si, to_si
 
 BRIEF = """
 title = "Brief"
@@ -41,10 +41,10 @@ gravity = 9.81
 WRONG = ("true", "[1]", "nan", "-inf", "'1 furlong^9'", "{ source = 'x' }", "{ value = {} }")
 
 
-def load(folder: Path, text: str, name: str = "plane.toml") -> gl.Aircraft:
+def load(folder: Path, text: str, name: str = "plane.toml") -> gr.Aircraft:
     path = folder / name
     path.write_text(text, encoding="utf-8")
-    return gl.Aircraft.load(path)
+    return gr.Aircraft.load(path)
 
 
 def mistakes(folder: Path, text: str) -> list[Mistake]:
@@ -103,7 +103,7 @@ def test_where_a_number_comes_from_is_kept(tmp_path: Path):
 
 def test_a_tire_by_table_by_parameters_and_by_stiffness(tmp_path: Path):
     by_table = load(tmp_path, BRIEF)
-    fit = gl.fit_tire("goodyear-6.00-6")
+    fit = gr.fit_tire("goodyear-6.00-6")
     assert {s: float(by_table[s]) for s in fit.parameters} == pytest.approx(dict(fit.parameters))
     lines = "\n".join(f"{s} = {value!r}" for s, value in fit.parameters.items())
     by_parameters = load(tmp_path, changed("table", '"x"').replace('table = "x"', lines))
@@ -111,9 +111,9 @@ def test_a_tire_by_table_by_parameters_and_by_stiffness(tmp_path: Path):
     by_stiffness = load(
         tmp_path, changed("table", '"x"').replace('table = "x"', 'C_alpha = "441 N/deg"')
     )
-    assert np.isfinite(gl.linearize(by_stiffness, "linear").decay_rate)
-    with pytest.raises(gl.GroundloopError, match="cornering_coefficient_intercept"):
-        gl.linearize(by_stiffness, "nonlinear")
+    assert np.isfinite(gr.linearize(by_stiffness, "linear").decay_rate)
+    with pytest.raises(gr.GroundrollError, match="cornering_coefficient_intercept"):
+        gr.linearize(by_stiffness, "nonlinear")
 
 
 def test_a_tire_table_beside_the_file_comes_first(tmp_path: Path):
@@ -209,7 +209,7 @@ def test_a_mistake_says_what_was_found_and_what_was_expected(
     ("line", "expected"),
     [
         ("tail_whel_stiffness = 3", "tail_wheel_stiffness"),
-        ("qqqqqq = 3", "groundloop new"),
+        ("qqqqqq = 3", "groundroll new"),
         ("[main_tire]\ntable = 'goodyear-6.00-6.csv'", "main_tires.table"),
         ("tail_whel_stiffness = { value = 3, source = 'x' }", "tail_wheel_stiffness"),
         ("[tail]\n[tail.wheel]\ntail_whel_stiffness = 3", "tail_wheel_stiffness"),
@@ -366,8 +366,8 @@ def test_a_fraction_beside_the_stations_of_a_tricycle_is_told(tmp_path: Path):
     given = load(tmp_path, f"f = 0.9\n{stations}")
     assert given["f"] == 0.9
     note = "main_gear_weight_fraction is given as 0.9; 0.83667 would follow"
-    assert note in gl.check(given).notes
-    agreed = gl.check(load(tmp_path, f"f = 0.8367\n{stations}"))
+    assert note in gr.check(given).notes
+    agreed = gr.check(load(tmp_path, f"f = 0.8367\n{stations}"))
     assert not any("would follow" in text for text in agreed.notes)
 
 
@@ -380,18 +380,18 @@ def test_a_stiffness_or_fraction_that_is_given_overrides_what_follows(tmp_path: 
 def test_what_is_not_toml_is_said_with_the_place(tmp_path: Path, content: bytes):
     path = tmp_path / "plane.toml"
     path.write_bytes(content)
-    with pytest.raises(gl.GroundloopError, match=r"plane.toml is not valid TOML: .*\d"):
-        gl.Aircraft.load(path)
+    with pytest.raises(gr.GroundrollError, match=r"plane.toml is not valid TOML: .*\d"):
+        gr.Aircraft.load(path)
 
 
 def test_a_file_that_is_not_there(tmp_path: Path):
-    with pytest.raises(gl.GroundloopError, match=r"cannot read .*none.toml: No such file"):
-        gl.Aircraft.load(tmp_path / "none.toml")
+    with pytest.raises(gr.GroundrollError, match=r"cannot read .*none.toml: No such file"):
+        gr.Aircraft.load(tmp_path / "none.toml")
 
 
 def test_an_unknown_name_names_the_nearest():
-    with pytest.raises(gl.GroundloopError, match="did you mean cessna-170"):
-        gl.Aircraft.load("cesna-170")
+    with pytest.raises(gr.GroundrollError, match="did you mean cessna-170"):
+        gr.Aircraft.load("cesna-170")
 
 
 # --- The packaged aircraft --------------------------------------------------------------------
@@ -399,13 +399,13 @@ def test_an_unknown_name_names_the_nearest():
 
 def test_there_are_a_taildragger_and_a_tricycle_beside_the_thesis():
     assert {"brott", "cessna-170", "cessna-172p"} <= set(packaged())
-    assert gl.Aircraft.load("cessna-170")["a"] > 0
-    assert gl.Aircraft.load("cessna-172p")["a"] < 0
+    assert gr.Aircraft.load("cessna-170")["a"] > 0
+    assert gr.Aircraft.load("cessna-172p")["a"] < 0
 
 
 @pytest.mark.parametrize("name", packaged())
 def test_a_packaged_aircraft_has_a_source_for_every_number(name: str):
-    plane = gl.Aircraft.load(name)
+    plane = gr.Aircraft.load(name)
     assert plane.title
     assert plane.description
     assert plane.source
@@ -416,15 +416,15 @@ def test_a_packaged_aircraft_has_a_source_for_every_number(name: str):
 @pytest.mark.parametrize("name", packaged())
 @pytest.mark.parametrize("tire", ["linear", "nonlinear"])
 def test_a_packaged_aircraft_runs_and_is_stable_at_its_speed(name: str, tire: str):
-    plane = gl.Aircraft.load(name)
-    run = gl.simulate(plane, tire=tire, v0=0.1, t=8.0, samples=11)
+    plane = gr.Aircraft.load(name)
+    run = gr.simulate(plane, tire=tire, v0=0.1, t=8.0, samples=11)
     assert abs(run["r"][-1]) < 1e-4
-    assert gl.linearize(plane, tire=tire).decay_rate > 0
+    assert gr.linearize(plane, tire=tire).decay_rate > 0
 
 
 def test_the_loads_of_the_cessna_170_are_those_on_scales():
     """A 170 at 1626 lb had 116 lb on its tail wheel (forum.cessna170.org, post 100596)."""
-    plane = gl.Aircraft.load("cessna-170").replace(
+    plane = gr.Aircraft.load("cessna-170").replace(
         m="1626 lb", main_gear_station="18.5 in", tail_station="249.375 in"
     )
     on_scales = (1510 * 18.5 + 116 * 249.375) / 1626
@@ -433,7 +433,7 @@ def test_the_loads_of_the_cessna_170_are_those_on_scales():
 
 
 def test_the_nose_wheel_of_the_cessna_172p_carries_the_rest():
-    plane = gl.Aircraft.load("cessna-172p")
+    plane = gr.Aircraft.load("cessna-172p")
     x_cg, x_main, x_nose = (float(plane[s]) for s in ("x_cg", "x_main", "x_nose"))
     assert plane["f"] == pytest.approx((x_cg - x_nose) / (x_main - x_nose), rel=1e-12)
     assert "f" not in plane.given
@@ -453,7 +453,7 @@ def test_every_rule_of_what_is_usual_can_be_applied_and_has_a_source(rule: dict[
 
 
 def test_a_check_is_for_python_too():
-    found = gl.check(gl.Aircraft.load("cessna-170"))
+    found = gr.check(gr.Aircraft.load("cessna-170"))
     assert not any(found.missing.values())
     assert "yaw_inertia" in found.estimates
     assert "mass" not in found.estimates
@@ -465,7 +465,7 @@ def test_a_check_is_for_python_too():
 
 
 def test_a_check_of_an_empty_aircraft_names_all_that_is_missing():
-    found = gl.check(gl.Aircraft("empty", {}))
+    found = gr.check(gr.Aircraft("empty", {}))
     assert found.known == ()
     assert len(found.missing["nonlinear"]) == len(MODELS["nonlinear"].parameters)
 
@@ -475,7 +475,7 @@ def test_a_check_of_an_empty_aircraft_names_all_that_is_missing():
 
 def test_an_aircraft_does_not_freeze_the_array_it_is_given():
     masses = np.array([700.0, 800.0])
-    plane = gl.Aircraft.load("brott").replace(m=masses)
+    plane = gr.Aircraft.load("brott").replace(m=masses)
     masses[0] = 1.0
     assert plane["m"][0] == 700.0
 

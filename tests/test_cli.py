@@ -18,12 +18,12 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-import groundloop as gl
-from groundloop import cli
-from groundloop.aircraft import packaged, parameter_symbols
-from groundloop.cli import output
-from groundloop.generated import DIGEST, MODELS, QUANTITIES
-from groundloop.template import template
+import groundroll as gr
+from groundroll import cli
+from groundroll.aircraft import packaged, parameter_symbols
+from groundroll.cli import output
+from groundroll.generated import DIGEST, MODELS, QUANTITIES
+from groundroll.template import template
 
 KEEPING = ["simulate", "linearize", "trim", "map", "ensemble", "survival"]
 FORMATS = [name for name in cli.COMMANDS if name not in {"new", "place", "study"}]
@@ -57,7 +57,7 @@ def command(name: str) -> click.Command:
 def example(name: str) -> str:
     """The example in the help of a command."""
     text = CliRunner().invoke(command(name), ["--help"]).output
-    (line,) = re.findall(r"^ +groundloop (.*)$", text.partition("Example:")[2], re.MULTILINE)
+    (line,) = re.findall(r"^ +groundroll (.*)$", text.partition("Example:")[2], re.MULTILINE)
     return line
 
 
@@ -66,7 +66,7 @@ def example(name: str) -> str:
 
 def test_every_command_is_described_once_and_exists():
     for name in cli.COMMANDS:
-        module = importlib.import_module(f"groundloop.cli.{name.replace('-', '_')}")
+        module = importlib.import_module(f"groundroll.cli.{name.replace('-', '_')}")
         assert module.command.name == name
 
 
@@ -84,9 +84,9 @@ def test_every_option_is_explained(name: str):
 
 
 def test_help_is_quick_because_it_imports_nothing_heavy():
-    code = "import sys; from groundloop.cli import main; main(['--help']); print(*sys.modules)"
+    code = "import sys; from groundroll.cli import main; main(['--help']); print(*sys.modules)"
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-    heavy = {"casadi", "matplotlib", "pint", "pydantic", "numpy", "groundloop.cli.simulate"}
+    heavy = {"casadi", "matplotlib", "pint", "pydantic", "numpy", "groundroll.cli.simulate"}
     assert "simulate" in result.stdout
     assert not heavy & set(result.stdout.split())
 
@@ -103,7 +103,7 @@ def test_the_shell_can_complete(word: str, expected: str, monkeypatch: pytest.Mo
     from click.shell_completion import BashComplete
 
     *before, last = word.split()
-    complete = BashComplete(cli._group, {}, "groundloop", "_GROUNDLOOP_COMPLETE")
+    complete = BashComplete(cli._group, {}, "groundroll", "_GROUNDROLL_COMPLETE")
     assert expected in [item.value for item in complete.get_completions(before, last)]
 
 
@@ -150,7 +150,7 @@ def test_a_result_is_kept_with_all_that_went_in(run, name: str, suffix: str, tmp
     result = run(*_bare(name), "--out", f"kept{suffix}")
     assert (result.code, result.out, result.err) == (0, "", f"wrote kept{suffix}\n")
     assert [path.name for path in tmp_path.iterdir()] == [f"kept{suffix}"]
-    kept = gl.Result.load(f"kept{suffix}")
+    kept = gr.Result.load(f"kept{suffix}")
     assert run("info", f"kept{suffix}").out.startswith(repr(kept))
     found = json.loads(run("info", f"kept{suffix}", "--format", "json").out)
     assert found["aircraft"] == kept.aircraft.name
@@ -161,7 +161,7 @@ def test_a_result_is_kept_with_all_that_went_in(run, name: str, suffix: str, tmp
 
 def test_info_says_if_other_equations_made_a_file(run, monkeypatch: pytest.MonkeyPatch):
     run("linearize", "brott", "--out", "lin.npz")
-    monkeypatch.setattr("groundloop.generated.names.DIGEST", "0123456789abcdef")
+    monkeypatch.setattr("groundroll.generated.names.DIGEST", "0123456789abcdef")
     assert (
         f"equations {DIGEST}, not those installed, 0123456789abcdef" in run("info", "lin.npz").out
     )
@@ -187,7 +187,7 @@ def test_results_do_not_depend_on_the_number_of_threads(run, name: str):
 
 def test_simulate_gives_what_the_api_gives(run):
     found = json.loads(run("simulate", "brott", "--v0", "10 cm/s", "--format", "json").out)
-    expected = gl.simulate(gl.Aircraft.load("brott"), v0=0.1)
+    expected = gr.simulate(gr.Aircraft.load("brott"), v0=0.1)
     for name in ("t", "v", "theta", "F_main"):
         series = expected.t if name == "t" else expected[name]
         np.testing.assert_allclose(found[name], series, rtol=0, atol=0)
@@ -199,8 +199,8 @@ def test_simulate_tells_how_a_gust_is_answered(run):
     words = ("simulate", "brott", "--disturbance", "400 N", "--gust", "one_minus_cosine")
     words += ("--gust-start", "500 ms", "--gust-length", "0.8 s")
     found = json.loads(run(*words, "--format", "json").out)
-    gust = gl.gusts.one_minus_cosine(400.0, 0.5, 0.8)
-    expected = gl.simulate(gl.Aircraft.load("brott"), disturbance=gust)
+    gust = gr.gusts.one_minus_cosine(400.0, 0.5, 0.8)
+    expected = gr.simulate(gr.Aircraft.load("brott"), disturbance=gust)
     assert found["gust"] == gust.label
     np.testing.assert_allclose(found["v"], expected["v"], rtol=0, atol=0)
     for state in ("v", "r", "y", "theta"):
@@ -218,8 +218,8 @@ def test_a_step_has_an_overshoot_and_may_end(run):
     words = ("simulate", "brott", "--disturbance", "100 N", "--gust", "step")
     stays = json.loads(run(*words, "--format", "json").out)
     ends = json.loads(run(*words, "--gust-length", "2", "--format", "json").out)
-    plane = gl.Aircraft.load("brott")
-    expected = gl.simulate(plane, disturbance=gl.gusts.step(100.0)).metrics("r")
+    plane = gr.Aircraft.load("brott")
+    expected = gr.simulate(plane, disturbance=gr.gusts.step(100.0)).metrics("r")
     assert stays["metrics"]["r"]["overshoot"] == float(expected.overshoot) > 0
     assert stays["metrics"]["displacement"] is None
     assert ends["gust"] == "step of 100 N from 0 s to 2 s"
@@ -242,8 +242,8 @@ def test_csv_over_time(run):
 def test_linearize_gives_what_the_api_gives(run):
     words = ("linearize", "brott", "--v", "0.4 m/s", "--r", "1 deg/s", "--speed", "60 km/h")
     found = json.loads(run(*words, "--format", "json").out)
-    point = gl.OperatingPoint(v=0.4, r=float(np.radians(1)))
-    lin = gl.linearize(gl.Aircraft.load("brott"), at=point, speed=60 / 3.6)
+    point = gr.OperatingPoint(v=0.4, r=float(np.radians(1)))
+    lin = gr.linearize(gr.Aircraft.load("brott"), at=point, speed=60 / 3.6)
     for name in "ABCD":
         np.testing.assert_allclose(found[name], getattr(lin, name), rtol=1e-12)
     assert found["eigenvalues"][0] == pytest.approx(
@@ -253,7 +253,7 @@ def test_linearize_gives_what_the_api_gives(run):
 
 def test_trim_gives_what_the_api_gives(run):
     found = json.loads(run("trim", "brott", "--disturbance", "100 lbf", "--format", "json").out)
-    expected = gl.trim(gl.Aircraft.load("brott"), disturbance=444.822162)
+    expected = gr.trim(gr.Aircraft.load("brott"), disturbance=444.822162)
     assert found["v"] == pytest.approx(expected["v"].tolist(), rel=1e-6)
     assert found["stable"] == [True]
 
@@ -267,8 +267,8 @@ def test_that_there_is_no_equilibrium_is_an_answer(run):
 def test_map_gives_what_the_api_gives(run):
     axes = ("--x", "speed=36 km/h:180 km/h:3", "--y", "a=-0.5:0.5:5", "--of", "damping_ratio")
     found = json.loads(run("map", "brott", *axes, "--format", "json").out)
-    expected = gl.stability_map(
-        gl.Aircraft.load("brott"),
+    expected = gr.stability_map(
+        gr.Aircraft.load("brott"),
         ("u", np.linspace(10, 50, 3)),
         ("a", np.linspace(-0.5, 0.5, 5)),
         "damping_ratio",
@@ -281,7 +281,7 @@ def test_set_changes_parameters_with_units_and_lets_them_follow(run):
     words = ("--set", "cg_station=16 in", "--set", "mass=800", "--set", "f=", "--set", "Ct=")
     found = json.loads(run("check", "brott", *words, "--format", "json").out)
     values = {row["symbol"]: row["value"] for row in found["quantities"]}
-    plane = gl.Aircraft.load("brott").replace(x_cg="16 in", m=800, f=None, Ct=None)
+    plane = gr.Aircraft.load("brott").replace(x_cg="16 in", m=800, f=None, Ct=None)
     for symbol in ("x_cg", "m", "a", "f", "Ct"):
         assert values[symbol] == float(plane[symbol])
 
@@ -290,8 +290,8 @@ def test_ensemble_gives_what_the_api_gives(run):
     words = ("--vary", "speed=36 km/h:144 km/h:3", "--v0", "0.5:2:4", "--r0", "1 deg/s")
     more = ("--extremes", "psi,alpha", "--limits", "Y=1 ft", "--tol", "1e-8", "--t", "4")
     found = json.loads(run("ensemble", "brott", *words, *more, "--format", "json").out)
-    expected = gl.ensemble(
-        gl.Aircraft.load("brott"),
+    expected = gr.ensemble(
+        gr.Aircraft.load("brott"),
         4.0,
         extremes=["psi", "alpha"],
         limits={"Y": 0.3048},
@@ -355,8 +355,8 @@ def test_survival_gives_what_the_api_gives(run):
     words = ("--station=-3 m:0 m:2", "--speed", "20:30:3", "--heading", "30 deg")
     words = (*words, "--half-width", "25 ft", "--settled", "0.2", "--t", "15")
     found = json.loads(run("survival", "brott-physical", *words, "--format", "json").out)
-    expected = gl.survival(
-        gl.Aircraft.load("brott-physical"),
+    expected = gr.survival(
+        gr.Aircraft.load("brott-physical"),
         station=np.array([[-3.0], [0.0]]),
         speed=np.array([20.0, 25.0, 30.0]),
         heading=np.radians(30),
@@ -407,14 +407,14 @@ def test_headers_are_stacked_where_a_terminal_is_narrow(monkeypatch: pytest.Monk
 
 
 def test_fit_tire_reads_a_file(run, tmp_path: Path):
-    from groundloop.aircraft_file import packaged_files
+    from groundroll.aircraft_file import packaged_files
 
     text = packaged_files(".csv")["goodyear-6.00-6"].read_text(encoding="utf-8")
     (tmp_path / "mine.csv").write_text(text, encoding="utf-8")
     found = json.loads(run("fit-tire", "mine.csv", "--format", "json").out)
     assert found["data"] == "mine"
     assert {p["symbol"]: p["value"] for p in found["parameters"]} == pytest.approx(
-        dict(gl.fit_tire().parameters)
+        dict(gr.fit_tire().parameters)
     )
 
 
@@ -552,7 +552,7 @@ def test_a_new_file_explains_every_key():
 
 def test_a_new_file_can_be_used_once_it_is_filled_in(run, tmp_path: Path):
     """Round trip: a template filled with an aircraft's values is that aircraft."""
-    plane = gl.Aircraft.load("cessna-170")
+    plane = gr.Aircraft.load("cessna-170")
     run("new", "mine.toml")
     path = tmp_path / "mine.toml"
     lines = []
@@ -562,7 +562,7 @@ def test_a_new_file_can_be_used_once_it_is_filled_in(run, tmp_path: Path):
         filled = key != "table" and match is not None and key in plane
         lines.append(line[1:].replace('"?', f'"{float(plane[key])!r}', 1) if filled else line)
     path.write_text("\n".join(lines), encoding="utf-8")
-    again = gl.Aircraft.load(path)
+    again = gr.Aircraft.load(path)
     for symbol in parameter_symbols():
         if symbol in plane:
             assert again[symbol] == pytest.approx(float(plane[symbol]), rel=1e-12)
@@ -571,7 +571,7 @@ def test_a_new_file_can_be_used_once_it_is_filled_in(run, tmp_path: Path):
 
 def test_a_new_file_can_begin_as_a_copy_and_is_not_overwritten(run, tmp_path: Path):
     assert run("new", "mine.toml", "--like", "brott").code == 0
-    assert gl.Aircraft.load(tmp_path / "mine.toml")["m"] == gl.Aircraft.load("brott")["m"]
+    assert gr.Aircraft.load(tmp_path / "mine.toml")["m"] == gr.Aircraft.load("brott")["m"]
     result = run("new", "mine.toml")
     assert result.code == 2
     assert "mine.toml exists; --force overwrites it" in result.err
@@ -642,20 +642,20 @@ def test_a_run_that_nothing_disturbs_says_so(run):
 def test_an_interruption_is_clean(
     run, monkeypatch: pytest.MonkeyPatch, raised: type[BaseException]
 ):
-    from groundloop.cli import info
+    from groundroll.cli import info
 
     def interrupted(**_: object) -> None:
         raise raised
 
     monkeypatch.setattr(info.command, "callback", interrupted)
     code, out, err = run("info")
-    assert (code, out, err.strip()) == (130, "", "groundloop: interrupted")
+    assert (code, out, err.strip()) == (130, "", "groundroll: interrupted")
 
 
 def test_an_interruption_that_foreign_code_makes_an_error_of_is_clean(
     run, monkeypatch: pytest.MonkeyPatch
 ):
-    from groundloop.cli import info
+    from groundroll.cli import info
 
     def failed(**_: object) -> None:
         try:
@@ -665,12 +665,12 @@ def test_an_interruption_that_foreign_code_makes_an_error_of_is_clean(
 
     monkeypatch.setattr(info.command, "callback", failed)
     code, out, err = run("info")
-    assert (code, out, err.strip()) == (130, "", "groundloop: interrupted")
+    assert (code, out, err.strip()) == (130, "", "groundroll: interrupted")
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
 def test_a_warning_is_one_line_on_stderr(run, monkeypatch: pytest.MonkeyPatch):
-    from groundloop.cli import info
+    from groundroll.cli import info
 
     def warned(**_: object) -> None:
         with warnings.catch_warnings():
@@ -678,14 +678,14 @@ def test_a_warning_is_one_line_on_stderr(run, monkeypatch: pytest.MonkeyPatch):
             warnings.warn("no compiler", RuntimeWarning, stacklevel=1)
 
     monkeypatch.setattr(info.command, "callback", warned)
-    assert run("info") == (0, "", "groundloop: warning: no compiler\n")
+    assert run("info") == (0, "", "groundroll: warning: no compiler\n")
 
 
 # --- As a process --------------------------------------------------------------------------------
 
 
 def process(*words: str, **settings: object) -> subprocess.CompletedProcess[str]:
-    program = [sys.executable, "-m", "groundloop", *words]
+    program = [sys.executable, "-m", "groundroll", *words]
     return subprocess.run(program, capture_output=True, text=True, check=False, **settings)
 
 
@@ -699,11 +699,11 @@ def test_as_a_process_results_and_messages_are_kept_apart(tmp_path: Path):
 def test_as_a_process_a_failure_has_its_code(tmp_path: Path):
     result = process("check", "brot", cwd=tmp_path)
     assert (result.returncode, result.stdout) == (1, "")
-    assert result.stderr.startswith("groundloop: unknown aircraft 'brot'")
+    assert result.stderr.startswith("groundroll: unknown aircraft 'brot'")
 
 
 def test_a_reader_that_leaves_early_is_no_trouble(tmp_path: Path):
-    line = f"{shlex.quote(sys.executable)} -m groundloop simulate brott --format csv --samples 9999"
+    line = f"{shlex.quote(sys.executable)} -m groundroll simulate brott --format csv --samples 9999"
     result = subprocess.run(
         ["bash", "-c", f"{line} | head -1"], capture_output=True, text=True, cwd=tmp_path
     )

@@ -6,11 +6,11 @@ import pytest
 import sympy as sp
 from sympy.physics.vector import Vector, dynamicsymbols
 
-from groundloop.derive.catalogue import Module
-from groundloop.derive.components import Component, Force, disturbance, main_gear, slip_angle
-from groundloop.derive.equation import Equation, expand, merge, needed
-from groundloop.derive.equation_sheet import equation_sheet
-from groundloop.derive.kinematics import (
+from groundroll.derive.catalogue import Module
+from groundroll.derive.components import Component, Force, disturbance, main_gear, slip_angle
+from groundroll.derive.equation import Equation, expand, merge, needed
+from groundroll.derive.equation_sheet import equation_sheet
+from groundroll.derive.kinematics import (
     BODY,
     GROUND,
     V0,
@@ -21,10 +21,10 @@ from groundloop.derive.kinematics import (
     path_rates,
     velocity,
 )
-from groundloop.derive.linear import linear, linearise, state_space
-from groundloop.derive.model import Model, assemble, linear_tire_model
-from groundloop.derive.newton import equations_of_motion, r_dot, sum_F, sum_M, v_dot
-from groundloop.derive.quantities import (
+from groundroll.derive.linear import linear, linearise, state_space
+from groundroll.derive.model import Model, assemble, linear_tire_model
+from groundroll.derive.newton import equations_of_motion, r_dot, sum_F, sum_M, v_dot
+from groundroll.derive.quantities import (
     PARAMETERS,
     C_alpha,
     Izz,
@@ -40,7 +40,7 @@ from groundloop.derive.quantities import (
     v,
     y,
 )
-from groundloop.derive.tire import linear_tire, nonlinear_tire
+from groundroll.derive.tire import linear_tire, nonlinear_tire
 
 delta = Quantity("delta", "steering_angle", "rad", "nose wheel turned to the right")
 l_n = Quantity("l_n", "nose_wheel_arm", "m", "nose wheel ahead of the CG")

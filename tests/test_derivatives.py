@@ -19,7 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import MODELS, RANGES, Array, Point, lambdified, parameters, points, state
 
-from groundloop.generated import FUNCTIONS, build, integrators, library, load
+from groundroll.generated import FUNCTIONS, build, integrators, library, load
 
 BLOCKS = ("x", "u", "p")
 NAMES = {"f": "rhs", "g": "outputs"}

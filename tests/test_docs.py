@@ -10,7 +10,7 @@ from pathlib import Path
 import matplotlib as mpl
 import pytest
 
-from groundloop.cli import main
+from groundroll.cli import main
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -47,7 +47,7 @@ def test_code_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pytest.Mon
         else:
             for line in code.splitlines():
                 program, *arguments = shlex.split(line.removeprefix("$ "))
-                if program == "groundloop":
+                if program == "groundroll":
                     assert exit_code(arguments) == 0, line
                 else:
                     assert program in ("cc", "./roll"), line

@@ -10,7 +10,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from groundloop.derive.simd.lanes import elementary
+from groundroll.derive.simd.lanes import elementary
 
 #: Largest error in units of the last place.
 ULPS = {"atan": 2.5, "sin": 2.5, "cos": 2.5, "tan": 4.0}

@@ -17,13 +17,13 @@ from hypothesis import strategies as st
 from oracles import MODELS, right_hand_side
 from scipy.integrate import solve_ivp
 
-import groundloop as gl
-from groundloop import chunks, ensembles
-from groundloop.ensemble_plan import plan
-from groundloop.generated import kernels
-from groundloop.vm_ensemble import integrate_in_vm
+import groundroll as gr
+from groundroll import chunks, ensembles
+from groundroll.ensemble_plan import plan
+from groundroll.generated import kernels
+from groundroll.vm_ensemble import integrate_in_vm
 
-PLANE = gl.Aircraft.load("brott-physical")
+PLANE = gr.Aircraft.load("brott-physical")
 FIELDS = ("final", "samples", "largest", "first")
 
 
@@ -41,7 +41,7 @@ def cloud(count: int, seed: int = 1, **top: float) -> dict[str, np.ndarray]:
     return {name: rng.uniform(*ends, count) for name, ends in ranges.items()}
 
 
-def same(one: gl.Ensemble, other: gl.Ensemble) -> bool:
+def same(one: gr.Ensemble, other: gr.Ensemble) -> bool:
     """Whether two ensembles are the same to the bit."""
     pairs = [(one.status, other.status), (one.steps, other.steps), (one.estimate, other.estimate)]
     for field in FIELDS:
@@ -70,8 +70,8 @@ def test_it_agrees_with_scipy_on_what_sympy_prints(tire: str, tol: float):
     values = cloud(20, v0=6.0, r0=0.3)
     at = np.linspace(0.0, 4.0, 9)
     states = tuple(map(str, MODELS[tire].states))
-    ens = gl.ensemble(PLANE, 4.0, tire, at=at, names=states, tol=tol, **values)
-    end = gl.ensemble(PLANE, 4.0, tire, names=states, tol=tol, **values)
+    ens = gr.ensemble(PLANE, 4.0, tire, at=at, names=states, tol=tol, **values)
+    end = gr.ensemble(PLANE, 4.0, tire, names=states, tol=tol, **values)
     f = right_hand_side(tire)
     parameters = ("a", "Ct", "speed")
     for k in range(20):
@@ -112,9 +112,9 @@ def test_it_agrees_with_scipy_on_what_sympy_prints(tire: str, tol: float):
 def test_it_agrees_with_the_compiled_integrator(values: dict[str, float]):
     own = {name: value for name, value in values.items() if name in ("a", "Ct", "speed")}
     start = {name: value for name, value in values.items() if name not in own}
-    run = gl.simulate(PLANE.replace(**own), t=3.0, samples=31, **start)
+    run = gr.simulate(PLANE.replace(**own), t=3.0, samples=31, **start)
     names = ("v", "r", "y", "theta", "X", "Y", "psi", "gamma", "a_y")
-    ens = gl.ensemble(PLANE, 3.0, at=run.t, names=names, tol=1e-9, **values)
+    ens = gr.ensemble(PLANE, 3.0, at=run.t, names=names, tol=1e-9, **values)
     for name in names:
         size = np.abs(run[name]).max()
         assert np.abs(ens[name] - run[name]).max() <= 1e-7 * max(size, 1e-3), name
@@ -123,8 +123,8 @@ def test_it_agrees_with_the_compiled_integrator(values: dict[str, float]):
 def test_extremes_are_those_of_a_fine_run():
     values = cloud(60, v0=4.0)
     at = np.linspace(0.0, 3.0, 6001)
-    fine = gl.ensemble(PLANE, 3.0, at=at, names=("alpha", "psi"), tol=1e-9, **values)
-    ens = gl.ensemble(PLANE, 3.0, extremes=("alpha",), limits={"psi": 0.02}, **values)
+    fine = gr.ensemble(PLANE, 3.0, at=at, names=("alpha", "psi"), tol=1e-9, **values)
+    ens = gr.ensemble(PLANE, 3.0, extremes=("alpha",), limits={"psi": 0.02}, **values)
     assert ens.largest["alpha"] == pytest.approx(np.abs(fine["alpha"]).max(axis=1), rel=2e-6)
     over = np.abs(fine["psi"]) >= 0.02
     first = np.where(over.any(axis=1), at[over.argmax(axis=1)], np.inf)
@@ -138,55 +138,55 @@ def test_extremes_are_those_of_a_fine_run():
 
 def test_x_squared_blows_up_where_it_should():
     """An unstable aircraft is an error of no lane but its own; see the isolation below."""
-    fast = gl.ensemble(PLANE, 300.0, "linear", Ct=0.0, a=np.array([-0.5, 2.0]), v0=0.1)
+    fast = gr.ensemble(PLANE, 300.0, "linear", Ct=0.0, a=np.array([-0.5, 2.0]), v0=0.1)
     assert fast.status.tolist()[0] == 0
-    assert gl.Ensemble.STATUS[fast.status[1]] in ("not finite", "ok", "step limit")
+    assert gr.Ensemble.STATUS[fast.status[1]] in ("not finite", "ok", "step limit")
 
 
 # --- The same to the bit --------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
-def reference() -> gl.Ensemble:
-    return gl.ensemble(PLANE, 3.0, threads=1, **EVERYTHING, **cloud(700, v0=6.0, r0=0.3))
+def reference() -> gr.Ensemble:
+    return gr.ensemble(PLANE, 3.0, threads=1, **EVERYTHING, **cloud(700, v0=6.0, r0=0.3))
 
 
 @pytest.mark.parametrize("threads", [2, 3])
 @pytest.mark.parametrize("chunk", [700, 64, 37])
-def test_bits_do_not_depend_on_threads_or_chunks(reference: gl.Ensemble, threads: int, chunk: int):
+def test_bits_do_not_depend_on_threads_or_chunks(reference: gr.Ensemble, threads: int, chunk: int):
     values = cloud(700, v0=6.0, r0=0.3)
-    ens = gl.ensemble(PLANE, 3.0, threads=threads, chunk=chunk, **EVERYTHING, **values)
+    ens = gr.ensemble(PLANE, 3.0, threads=threads, chunk=chunk, **EVERYTHING, **values)
     assert same(ens, reference)
 
 
-def test_bits_do_not_depend_on_company(reference: gl.Ensemble):
+def test_bits_do_not_depend_on_company(reference: gr.Ensemble):
     values = {name: array[300:311] for name, array in cloud(700, v0=6.0, r0=0.3).items()}
-    some = gl.ensemble(PLANE, 3.0, **EVERYTHING, **values)
+    some = gr.ensemble(PLANE, 3.0, **EVERYTHING, **values)
     for field in FIELDS:
         for name, array in getattr(some, field).items():
             assert array.tobytes() == getattr(reference, field)[name][300:311].tobytes(), name
 
 
 @pytest.mark.parametrize("method", ["spawn", "fork"])
-def test_processes_give_the_same_bits(reference: gl.Ensemble, method: str):
+def test_processes_give_the_same_bits(reference: gr.Ensemble, method: str):
     """Also after a fork, which OpenMP's threads do not survive."""
     context = multiprocessing.get_context(method)
     with ProcessPoolExecutor(2, mp_context=context) as executor:
-        ens = gl.ensemble(
+        ens = gr.ensemble(
             PLANE, 3.0, executor=executor, chunk=101, **EVERYTHING, **cloud(700, v0=6.0, r0=0.3)
         )
     assert same(ens, reference)
 
 
-def test_a_forked_child_may_ask_for_threads(reference: gl.Ensemble):
-    gl.ensemble(PLANE, 1.0, threads=2, v0=np.ones(100))
+def test_a_forked_child_may_ask_for_threads(reference: gr.Ensemble):
+    gr.ensemble(PLANE, 1.0, threads=2, v0=np.ones(100))
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("fork")) as executor:
-        run = partial(gl.ensemble, PLANE, 3.0, threads=2, **EVERYTHING)
+        run = partial(gr.ensemble, PLANE, 3.0, threads=2, **EVERYTHING)
         assert same(executor.submit(run, **cloud(700, v0=6.0, r0=0.3)).result(60), reference)
 
 
 @pytest.mark.filterwarnings("ignore")  # of distributed's own dependencies
-def test_a_dask_cluster_gives_the_same_bits(reference: gl.Ensemble):
+def test_a_dask_cluster_gives_the_same_bits(reference: gr.Ensemble):
     distributed = pytest.importorskip("distributed")
     with (
         distributed.LocalCluster(
@@ -194,7 +194,7 @@ def test_a_dask_cluster_gives_the_same_bits(reference: gl.Ensemble):
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
-        ens = gl.ensemble(
+        ens = gr.ensemble(
             PLANE,
             3.0,
             executor=client.get_executor(),
@@ -205,8 +205,8 @@ def test_a_dask_cluster_gives_the_same_bits(reference: gl.Ensemble):
     assert same(ens, reference)
 
 
-def test_the_second_run_is_the_first_again(reference: gl.Ensemble):
-    again = gl.ensemble(PLANE, 3.0, **EVERYTHING, **cloud(700, v0=6.0, r0=0.3))
+def test_the_second_run_is_the_first_again(reference: gr.Ensemble):
+    again = gr.ensemble(PLANE, 3.0, **EVERYTHING, **cloud(700, v0=6.0, r0=0.3))
     assert same(again, reference)
     assert same(pickle.loads(pickle.dumps(again)), reference)
 
@@ -241,9 +241,9 @@ def plan_of(values: dict[str, np.ndarray]):
 
 def test_what_leaves_the_range_ends_there():
     values = cloud(200, v0=6.0)
-    free = gl.ensemble(PLANE, 3.0, extremes=("alpha",), **values)
+    free = gr.ensemble(PLANE, 3.0, extremes=("alpha",), **values)
     bound = float(np.median(free.largest["alpha"]))
-    ens = gl.ensemble(PLANE, 3.0, within={"alpha": bound}, **values)
+    ens = gr.ensemble(PLANE, 3.0, within={"alpha": bound}, **values)
     left = ens.status == ens.STATUS.index("left the range")
     clear = np.abs(free.largest["alpha"] / bound - 1) > 1e-2
     assert (left == (free.largest["alpha"] > bound))[clear].all()
@@ -258,9 +258,9 @@ def test_what_leaves_the_range_ends_there():
 
 def test_the_virtual_machine_gives_the_same_numbers(monkeypatch: pytest.MonkeyPatch):
     values = cloud(12, v0=6.0, r0=0.3)
-    fast = gl.ensemble(PLANE, 3.0, tol=1e-9, **EVERYTHING, **values)
+    fast = gr.ensemble(PLANE, 3.0, tol=1e-9, **EVERYTHING, **values)
     monkeypatch.setattr(kernels, "can_compile", lambda kernel: False)
-    slow = gl.ensemble(PLANE, 3.0, tol=1e-9, **EVERYTHING, **values)
+    slow = gr.ensemble(PLANE, 3.0, tol=1e-9, **EVERYTHING, **values)
     assert (slow.status == fast.status).all()
     ok = fast.ok
     assert ok.sum() > 0
@@ -283,10 +283,10 @@ def test_the_virtual_machine_isolates_too():
 
 def test_without_a_compiler_it_warns_and_works():
     script = (
-        "import groundloop as gl, numpy as np\n"
-        "e = gl.ensemble(gl.Aircraft.load('brott'), 1.0, v0=np.array([0.1, 0.2]))\n"
-        "print(e.counts, gl.solver(t=[0.0, 1.0])(np.array([0.1] + [0] * 6), np.zeros(1),"
-        " gl.Aircraft.load('brott').parameters('nonlinear')).shape)"
+        "import groundroll as gr, numpy as np\n"
+        "e = gr.ensemble(gr.Aircraft.load('brott'), 1.0, v0=np.array([0.1, 0.2]))\n"
+        "print(e.counts, gr.solver(t=[0.0, 1.0])(np.array([0.1] + [0] * 6), np.zeros(1),"
+        " gr.Aircraft.load('brott').parameters('nonlinear')).shape)"
     )
     environment = {**os.environ, "CC": "no-such-compiler", "PATH": "/nowhere"}
     run = subprocess.run(
@@ -307,35 +307,35 @@ def test_without_a_compiler_it_warns_and_works():
 def test_arrays_broadcast_and_names_work_both_ways():
     plane = PLANE.replace(Ct=1000.0)  # else it follows from a load that a tricycle has not
     a, speeds = np.linspace(-1, 1, 5)[:, None], np.array([20.0, 30.0, 40.0])
-    ens = gl.ensemble(plane, 1.0, main_gear_arm=a, u=speeds, v0=0.5)
+    ens = gr.ensemble(plane, 1.0, main_gear_arm=a, u=speeds, v0=0.5)
     assert ens["v"].shape == ens.status.shape == (5, 3)
     assert ens["lateral_velocity"] is ens["v"]
-    one = gl.ensemble(plane, 1.0, a=-0.5, speed=40.0, v0=0.5)
+    one = gr.ensemble(plane, 1.0, a=-0.5, speed=40.0, v0=0.5)
     assert one["v"].shape == ()
     assert float(one["v"]) == ens["v"][1, 2]
-    own = gl.ensemble(plane.replace(a=a, u=speeds), 1.0, v0=0.5)
+    own = gr.ensemble(plane.replace(a=a, u=speeds), 1.0, v0=0.5)
     assert same(own, ens)
     assert "5 x 3 trajectories" in repr(ens)
 
 
 def test_what_follows_from_an_array_follows():
     stations = np.linspace(0.30, 0.45, 7)
-    ens = gl.ensemble(PLANE, 2.0, x_cg=stations, v0=0.5, chunk=32)
+    ens = gr.ensemble(PLANE, 2.0, x_cg=stations, v0=0.5, chunk=32)
     for k, station in enumerate(stations.tolist()):
-        one = gl.ensemble(PLANE.replace(x_cg=station), 2.0, v0=0.5)
+        one = gr.ensemble(PLANE.replace(x_cg=station), 2.0, v0=0.5)
         assert float(one["r"]) == ens["r"][k]
 
 
 def test_the_path_is_carried_where_it_is_wanted():
-    assert set(gl.ensemble(PLANE, 1.0, v0=1.0).final) == {"v", "r", "y", "theta", "psi"}
-    assert {"X", "Y"} < set(gl.ensemble(PLANE, 1.0, v0=1.0, Y0=2.0).final)
-    assert list(gl.ensemble(PLANE, 1.0, v0=1.0, names=["offset", "v"]).final) == ["Y", "v"]
+    assert set(gr.ensemble(PLANE, 1.0, v0=1.0).final) == {"v", "r", "y", "theta", "psi"}
+    assert {"X", "Y"} < set(gr.ensemble(PLANE, 1.0, v0=1.0, Y0=2.0).final)
+    assert list(gr.ensemble(PLANE, 1.0, v0=1.0, names=["offset", "v"]).final) == ["Y", "v"]
 
 
 def test_progress_counts_trajectories_and_interrupts():
     seen: list[tuple[int, int]] = []
     values = cloud(100)
-    gl.ensemble(PLANE, 1.0, chunk=40, progress=lambda *x: seen.append(x), **values)
+    gr.ensemble(PLANE, 1.0, chunk=40, progress=lambda *x: seen.append(x), **values)
     assert seen == [(40, 100), (80, 100), (100, 100)]
 
     def stop(done: int, total: int) -> None:
@@ -343,9 +343,9 @@ def test_progress_counts_trajectories_and_interrupts():
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        gl.ensemble(PLANE, 1.0, chunk=20, progress=stop, **values)
+        gr.ensemble(PLANE, 1.0, chunk=20, progress=stop, **values)
     with ThreadPoolExecutor(1) as executor, pytest.raises(KeyboardInterrupt):
-        gl.ensemble(PLANE, 1.0, chunk=1, progress=stop, executor=executor, **values)
+        gr.ensemble(PLANE, 1.0, chunk=1, progress=stop, executor=executor, **values)
 
 
 def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
@@ -359,7 +359,7 @@ def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
         return work(task, threads)
 
     monkeypatch.setattr(ensembles, "_integrate", counted)
-    gl.ensemble(PLANE, 0.1, r0=np.linspace(-1, 1, 300)[:, None], v0=np.ones(10), chunk=256)
+    gr.ensemble(PLANE, 0.1, r0=np.linspace(-1, 1, 300)[:, None], v0=np.ones(10), chunk=256)
     assert sum(alive) == 3000
     assert max(alive) == 256
 
@@ -400,22 +400,22 @@ def test_mistakes_are_named_before_any_work(
     arguments: dict[str, object], message: str, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setattr(ensembles, "run", lambda *args: pytest.fail("work was started"))
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.ensemble(PLANE, **arguments)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.ensemble(PLANE, **arguments)
 
 
 def test_more_memory_than_there_is_is_refused(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(chunks, "_available", lambda: 10**6)
-    with pytest.raises(gl.GroundloopError, match=r"the results take .* GiB, but there are only"):
-        gl.ensemble(PLANE, v0=np.ones(1000), at=np.linspace(0, 5, 501))
+    with pytest.raises(gr.GroundrollError, match=r"the results take .* GiB, but there are only"):
+        gr.ensemble(PLANE, v0=np.ones(1000), at=np.linspace(0, 5, 501))
     huge = np.broadcast_to(1.0, (10**6, 10**6))
-    with pytest.raises(gl.GroundloopError, match="GiB"):
-        gl.ensemble(PLANE, v0=huge[:, :1], r0=huge[:1])
+    with pytest.raises(gr.GroundrollError, match="GiB"):
+        gr.ensemble(PLANE, v0=huge[:, :1], r0=huge[:1])
 
 
 def test_what_cannot_follow_is_found_before_any_work(monkeypatch: pytest.MonkeyPatch):
     """A CG behind the tail leaves no load on a main tire."""
     monkeypatch.setattr(ensembles, "run", lambda *args: pytest.fail("work was started"))
     stations = np.where(np.arange(100) == 99, 6.0, 0.38)
-    with pytest.raises(gl.GroundloopError, match="must be positive"):
-        gl.ensemble(PLANE, x_cg=stations, v0=0.1, chunk=32)
+    with pytest.raises(gr.GroundrollError, match="must be positive"):
+        gr.ensemble(PLANE, x_cg=stations, v0=0.1, chunk=32)

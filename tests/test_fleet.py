@@ -13,15 +13,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import groundloop as gl
-from groundloop.aircraft import packaged
+import groundroll as gr
+from groundroll.aircraft import packaged
 
 DEGREE = np.pi / 180
 INCH = 0.0254
 
-PRINTED = gl.Aircraft.load("brott")
-PHYSICAL = gl.Aircraft.load("brott-physical")
-SKYHAWK = gl.Aircraft.load("cessna-172p")
+PRINTED = gr.Aircraft.load("brott")
+PHYSICAL = gr.Aircraft.load("brott-physical")
+SKYHAWK = gr.Aircraft.load("cessna-172p")
 
 #: What `brott` fixes and `brott-physical` lets follow.
 FOLLOWING = ("f", "C_alpha", "Ct")
@@ -34,7 +34,7 @@ def write(folder: Path, text: str) -> Path:
 
 
 def message(action: Callable[[], Any]) -> str:
-    with pytest.raises(gl.GroundloopError) as caught:
+    with pytest.raises(gr.GroundrollError) as caught:
         action()
     return str(caught.value)
 
@@ -46,11 +46,11 @@ class TestPackaged:
     @pytest.mark.parametrize("name", ["brott", "brott-physical"])
     @pytest.mark.parametrize("tire", ["linear", "nonlinear"])
     def test_each_simulates_and_linearizes(self, name, tire):
-        plane = gl.Aircraft.load(name)
-        run = gl.simulate(plane, tire=tire, v0=0.1, t=5.0)
+        plane = gr.Aircraft.load(name)
+        run = gr.simulate(plane, tire=tire, v0=0.1, t=5.0)
         assert run["v"][0] == 0.1
         assert abs(run["v"][-1]) < 0.1
-        assert gl.linearize(plane, tire=tire).eigenvalues.real.max() < 0
+        assert gr.linearize(plane, tire=tire).eigenvalues.real.max() < 0
 
     @pytest.mark.parametrize("plane", [PRINTED, PHYSICAL], ids=lambda p: p.name)
     def test_every_number_has_its_source(self, plane):
@@ -141,7 +141,7 @@ class TestFollowing:
         assert set(plane.follows_from("f")) == {"a", "x_cg", "x_nose", "b", "L"}
 
     def test_placement_has_the_same_balance(self):
-        known = {k.symbol: k for k in gl.check(SKYHAWK).known}
+        known = {k.symbol: k for k in gr.check(SKYHAWK).known}
         assert known["third_load"].value == pytest.approx(1 - known["f"].value, rel=1e-12)
         assert known["f"].follows_from == ("a", "x_cg", "x_nose")
 
@@ -181,7 +181,7 @@ class TestFollowing:
 
     def test_a_missing_mass_is_named(self):
         plane = PRINTED.replace(mass=None)
-        assert "mass (m) is not given" in message(lambda: gl.simulate(plane, v0=0.1))
+        assert "mass (m) is not given" in message(lambda: gr.simulate(plane, v0=0.1))
         assert "m" not in plane
         assert "m" in PRINTED
 
@@ -200,7 +200,7 @@ class TestFollowing:
         ],
     )
     def test_what_follows_must_be_possible(self, changes, name):
-        text = message(lambda: gl.linearize(PHYSICAL.replace(**changes), tire="linear"))
+        text = message(lambda: gr.linearize(PHYSICAL.replace(**changes), tire="linear"))
         assert name in text
         assert "positive" in text
 
@@ -278,7 +278,7 @@ class TestReplace:
             assert part in text
 
     def test_speed_of_a_run_is_checked_too(self):
-        assert "must be positive" in message(lambda: gl.simulate(PRINTED, speed=0.0, v0=0.1))
+        assert "must be positive" in message(lambda: gr.simulate(PRINTED, speed=0.0, v0=0.1))
 
     def test_nothing_can_be_changed_in_place(self):
         with pytest.raises(ValueError, match="read-only"):
@@ -304,7 +304,7 @@ class TestArrays:
         )
         assert plane["Fz"].shape == (2, 3)
         assert plane["a"].shape == (3,)
-        assert gl.linearize(plane).eigenvalues.shape == (2, 3, 2)
+        assert gr.linearize(plane).eigenvalues.shape == (2, 3, 2)
         one = PHYSICAL.replace(m=800.0, x_cg=16.8 * INCH)
         assert plane["Ct"][1, 2] == pytest.approx(float(one["Ct"]), rel=1e-14)
 
@@ -336,48 +336,48 @@ class TestArrays:
         assert plane.replace(m=800.0)["a"] is plane["a"]
 
     def test_no_values_at_all(self):
-        text = message(lambda: gl.simulate(PRINTED.replace(m=np.array([])), v0=0.1))
+        text = message(lambda: gr.simulate(PRINTED.replace(m=np.array([])), v0=0.1))
         assert "mass (m)" in text
 
 
 class TestFiles:
     def test_a_file_of_ones_own(self, tmp_path):
         text = 'title = "Mine"\nmass = "800 kg"\n[gear]\na = { value = "2 ft", source = "here" }\n'
-        plane = gl.Aircraft.load(write(tmp_path, text))
+        plane = gr.Aircraft.load(write(tmp_path, text))
         assert (plane.name, plane.title) == ("plane", "Mine")
         assert float(plane["a"]) == pytest.approx(0.6096, abs=1e-12)
         assert plane.sources["a"].text == "here"
 
     def test_a_path_as_text(self, tmp_path):
-        assert float(gl.Aircraft.load(str(write(tmp_path, "m = 5\n")))["m"]) == 5
+        assert float(gr.Aircraft.load(str(write(tmp_path, "m = 5\n")))["m"]) == 5
 
     @pytest.mark.parametrize("name", ["brot", "brott_physical", "Brott"])
     def test_a_misspelt_aircraft_names_the_nearest(self, name):
-        text = message(lambda: gl.Aircraft.load(name))
+        text = message(lambda: gr.Aircraft.load(name))
         assert repr(name) in text
         assert "brott" in text
 
     def test_an_unlike_name_lists_what_there_is(self):
-        text = message(lambda: gl.Aircraft.load("zzz"))
+        text = message(lambda: gr.Aircraft.load("zzz"))
         assert "brott-physical" in text
 
     def test_missing_file(self, tmp_path):
         path = tmp_path / "none.toml"
-        text = message(lambda: gl.Aircraft.load(path))
+        text = message(lambda: gr.Aircraft.load(path))
         assert str(path) in text
         assert "No such file" in text
 
     def test_a_folder_is_no_file(self, tmp_path):
         (tmp_path / "folder.toml").mkdir()
-        assert "folder.toml" in message(lambda: gl.Aircraft.load(tmp_path / "folder.toml"))
+        assert "folder.toml" in message(lambda: gr.Aircraft.load(tmp_path / "folder.toml"))
 
     def test_not_text(self, tmp_path):
         (tmp_path / "plane.toml").write_bytes(b"\xff\xfe\x00")
-        assert "plane.toml" in message(lambda: gl.Aircraft.load(tmp_path / "plane.toml"))
+        assert "plane.toml" in message(lambda: gr.Aircraft.load(tmp_path / "plane.toml"))
 
     @pytest.mark.parametrize("text", ["mass = \n", "[airframe\n", "mass = 1\nmass = 2\n"])
     def test_invalid_toml(self, tmp_path, text):
-        found = message(lambda: gl.Aircraft.load(write(tmp_path, text)))
+        found = message(lambda: gr.Aircraft.load(write(tmp_path, text)))
         assert "plane.toml" in found
         assert "TOML" in found
 
@@ -405,7 +405,7 @@ class TestFiles:
         ],
     )
     def test_each_mistake_is_named(self, tmp_path, text, parts):
-        found = message(lambda: gl.Aircraft.load(write(tmp_path, text)))
+        found = message(lambda: gr.Aircraft.load(write(tmp_path, text)))
         for part in parts:
             assert part in found
 
@@ -419,7 +419,7 @@ class TestFiles:
         tail_arm = "5 kg"
         air_density = nan
         """
-        found = message(lambda: gl.Aircraft.load(write(tmp_path, text)))
+        found = message(lambda: gr.Aircraft.load(write(tmp_path, text)))
         for part in ("mass", "yaw_inertia", "speed", "main_gear_arn", "tail_arm", "air_density"):
             assert part in found
         assert "6 mistake" in found

@@ -17,12 +17,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import MODELS, values
 
-from groundloop import generated
-from groundloop.derive import __main__ as command
-from groundloop.derive import emit
-from groundloop.derive.c_source import c_source
-from groundloop.derive.casadi_source import CasadiPrinter
-from groundloop.generated import library
+from groundroll import generated
+from groundroll.derive import __main__ as command
+from groundroll.derive import emit
+from groundroll.derive.c_source import c_source
+from groundroll.derive.casadi_source import CasadiPrinter
+from groundroll.generated import library
 
 FOLDER = Path(generated.__file__).parent
 SOURCES = (".py", ".c", ".md")
@@ -49,7 +49,7 @@ def test_generated_is_what_derive_makes(name: str):
 def test_it_is_the_same_from_another_folder_under_another_hash_seed(tmp_path: Path):
     out = tmp_path / "elsewhere"
     subprocess.run(
-        [sys.executable, "-m", "groundloop.derive", "--out", str(out)],
+        [sys.executable, "-m", "groundroll.derive", "--out", str(out)],
         cwd=tmp_path,
         env={**os.environ, "PYTHONHASHSEED": "4321"},
         check=True,
@@ -275,7 +275,7 @@ def docstrings() -> dict[str, str]:
     found = {}
     for name, (module, builder, _) in generated.FUNCTIONS.items():
         if builder not in ("rk4", "rk45"):
-            home = importlib.import_module(f"groundloop.generated.{module}")
+            home = importlib.import_module(f"groundroll.generated.{module}")
             found[name] = getattr(home, builder).__doc__
     return found
 
@@ -309,7 +309,7 @@ def test_generated_python_is_ordinary(name: str):
 
 #: Prints two functions from two C files: how each is evaluated, and its value.
 USE = """
-from groundloop.generated import load
+from groundroll.generated import load
 for name, arguments in (("magic_formula", [1, .8, 1.2, 1, .4]), ("f_follows", [4, 5])):
     function = load(name)
     print(function.class_name(), *[float(x).hex() for x in function.call(arguments)])
@@ -320,7 +320,7 @@ def use(folder: Path, script: str = USE, **environment: str) -> tuple[list[str],
     """What a fresh interpreter with this cache folder prints, and how it warns."""
     run = subprocess.run(
         [sys.executable, "-W", "always", "-c", script],
-        env={**os.environ, "GROUNDLOOP_CACHE": str(folder), **environment},
+        env={**os.environ, "GROUNDROLL_CACHE": str(folder), **environment},
         capture_output=True,
         text=True,
         check=False,
@@ -379,7 +379,7 @@ def test_a_damaged_library_is_compiled_again(
 def test_two_processes_may_compile_at_once(filled: tuple[Path, list[str]], tmp_path: Path):
     _, printed = filled
     command = [sys.executable, "-W", "error", "-c", USE]
-    environment = {**os.environ, "GROUNDLOOP_CACHE": str(tmp_path / "cache")}
+    environment = {**os.environ, "GROUNDROLL_CACHE": str(tmp_path / "cache")}
     both = [
         subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
         for _ in range(2)
@@ -398,7 +398,7 @@ def test_a_cache_folder_that_cannot_be_written_is_done_without(
     assert again == printed
     assert len(warned) == 1
     assert f"cannot write to the cache folder {file / 'cache'} (Not a directory)" in warned[0]
-    assert "Set GROUNDLOOP_CACHE" in warned[0]
+    assert "Set GROUNDROLL_CACHE" in warned[0]
     assert list(temporary.iterdir()) == []  # what it made instead is gone
 
 

@@ -10,9 +10,9 @@ import pytest
 from oracles import Array, right_hand_side
 from scipy.integrate import solve_ivp
 
-import groundloop as gl
-from groundloop import gusts
-from groundloop.integration import integrate_varying
+import groundroll as gr
+from groundroll import gusts
+from groundroll.integration import integrate_varying
 
 T = np.linspace(0.0, 4.0, 41)
 AIRCRAFT = {
@@ -31,11 +31,11 @@ GUSTS = {
 
 
 @pytest.fixture(scope="module")
-def plane() -> gl.Aircraft:
-    return gl.Aircraft.load("brott-physical")
+def plane() -> gr.Aircraft:
+    return gr.Aircraft.load("brott-physical")
 
 
-def oracle(plane: gl.Aircraft, tire: str, gust: gusts.Gust, x0: Array, times: Array = T) -> Array:
+def oracle(plane: gr.Aircraft, tire: str, gust: gusts.Gust, x0: Array, times: Array = T) -> Array:
     """States by SciPy with the input as it is, piece by piece between its breaks."""
     f, p = right_hand_side(tire), plane.parameters(tire)
     ends = [0.0, *(b for b in gust.breaks if 0 < b < times[-1]), times[-1]]
@@ -63,10 +63,10 @@ def error(found: Array, exact: Array) -> float:
 @pytest.mark.parametrize("kind", AIRCRAFT)
 @pytest.mark.parametrize("name", GUSTS)
 def test_a_gust_is_integrated_as_well_as_a_constant(
-    plane: gl.Aircraft, tire: str, kind: str, name: str
+    plane: gr.Aircraft, tire: str, kind: str, name: str
 ) -> None:
     pushed = plane.replace(**AIRCRAFT[kind])
-    run = gl.simulate(pushed, tire, disturbance=GUSTS[name], v0=0.05, t=T[-1], samples=T.size)
+    run = gr.simulate(pushed, tire, disturbance=GUSTS[name], v0=0.05, t=T[-1], samples=T.size)
     x0 = np.array([0.05, 0, 0, 0, 0, 0, 0])
     exact = oracle(pushed, tire, GUSTS[name], x0)
     found = np.array([run[s] for s in ("v", "r", "y", "theta", "X", "Y", "psi")])
@@ -75,7 +75,7 @@ def test_a_gust_is_integrated_as_well_as_a_constant(
     assert run["a_y"] == pytest.approx(run["sum_F"] / plane["m"], rel=1e-12)
 
 
-def test_steps_are_of_fourth_order(plane: gl.Aircraft) -> None:
+def test_steps_are_of_fourth_order(plane: gr.Aircraft) -> None:
     """With the halving of steps switched off, by way of rk4 on a grid finer than its own."""
     gust, x0 = GUSTS["smooth"], np.array([0.05, 0, 0, 0, 0, 0, 0])
     p = plane.parameters("nonlinear")[:, None]
@@ -89,69 +89,69 @@ def test_steps_are_of_fourth_order(plane: gl.Aircraft) -> None:
 
 
 @pytest.mark.parametrize("samples", [3, 101])
-def test_a_short_gust_is_not_lost_between_samples(plane: gl.Aircraft, samples: int) -> None:
+def test_a_short_gust_is_not_lost_between_samples(plane: gr.Aircraft, samples: int) -> None:
     """Steps are halved from those between samples and breaks, however close these are."""
     gust, x0 = gusts.one_minus_cosine(peak=9000.0, start=0.5, length=0.01), np.zeros(7)
-    run = gl.simulate(plane, disturbance=gust, t=1.0, samples=samples)
+    run = gr.simulate(plane, disturbance=gust, t=1.0, samples=samples)
     exact = oracle(plane, "nonlinear", gust, x0, run.t)
     moved = ("v", "r", "y", "theta")
     assert error(np.array([run[s] for s in moved]), exact[:4]) < 1e-9
 
 
-def test_a_jump_that_is_not_declared_is_noticed(plane: gl.Aircraft) -> None:
+def test_a_jump_that_is_not_declared_is_noticed(plane: gr.Aircraft) -> None:
     def jump(t: Array) -> Array:
         return 500.0 * (t > 0.123456)
 
     for samples in (3, 11, 501):
-        with pytest.raises(gl.GroundloopError, match=r"function jump jumps near t = 0.123.*breaks"):
-            gl.simulate(plane, disturbance=jump, t=1.0, samples=samples)
-    declared = gl.simulate(plane, disturbance=gusts.of_time(jump, [0.123456]), t=1.0, samples=3)
-    step = gl.simulate(plane, disturbance=gusts.step(500.0, 0.123456), t=1.0, samples=3)
+        with pytest.raises(gr.GroundrollError, match=r"function jump jumps near t = 0.123.*breaks"):
+            gr.simulate(plane, disturbance=jump, t=1.0, samples=samples)
+    declared = gr.simulate(plane, disturbance=gusts.of_time(jump, [0.123456]), t=1.0, samples=3)
+    step = gr.simulate(plane, disturbance=gusts.step(500.0, 0.123456), t=1.0, samples=3)
     assert declared["v"] == pytest.approx(step["v"], rel=1e-12)
 
 
 @pytest.mark.parametrize(("power", "word"), [(0, "jumps"), (1, "has a kink"), (2, "curvature")])
 @pytest.mark.parametrize("at", [0.303, 0.123456, 0.98765])
 def test_what_is_not_smooth_is_noticed(
-    plane: gl.Aircraft, power: int, word: str, at: float
+    plane: gr.Aircraft, power: int, word: str, at: float
 ) -> None:
     def force(t: Array) -> Array:
         return 100 * np.sin(5 * t) + 9e3 * np.where(t > at, (t - at) ** power, 0.0)
 
     with pytest.raises(
-        gl.GroundloopError, match=rf"function force .*{word} near t = {str(at)[:4]}"
+        gr.GroundrollError, match=rf"function force .*{word} near t = {str(at)[:4]}"
     ):
-        gl.simulate(plane, disturbance=force, t=1.0, samples=11)
-    gl.simulate(plane, disturbance=gusts.of_time(force, [at]), t=1.0, samples=11)
+        gr.simulate(plane, disturbance=force, t=1.0, samples=11)
+    gr.simulate(plane, disturbance=gusts.of_time(force, [at]), t=1.0, samples=11)
 
 
-def test_a_force_too_quick_to_be_resolved_is_refused(plane: gl.Aircraft) -> None:
+def test_a_force_too_quick_to_be_resolved_is_refused(plane: gr.Aircraft) -> None:
     gust = gusts.Gust(lambda t: 1e5 * np.sin(4e4 * t))
-    with pytest.raises(gl.GroundloopError, match=r"run 0 of 1: .* varies too quickly"):
-        gl.simulate(plane, disturbance=gust, t=0.1, samples=3)
+    with pytest.raises(gr.GroundrollError, match=r"run 0 of 1: .* varies too quickly"):
+        gr.simulate(plane, disturbance=gust, t=0.1, samples=3)
 
 
-def test_a_function_of_time_that_is_constant_is_a_constant(plane: gl.Aircraft) -> None:
-    by_function = gl.simulate(plane, disturbance=lambda t: np.full(t.shape, 80.0), t=1.0)
-    constant = gl.simulate(plane, disturbance=80.0, t=1.0)
+def test_a_function_of_time_that_is_constant_is_a_constant(plane: gr.Aircraft) -> None:
+    by_function = gr.simulate(plane, disturbance=lambda t: np.full(t.shape, 80.0), t=1.0)
+    constant = gr.simulate(plane, disturbance=80.0, t=1.0)
     assert by_function["Y"] == pytest.approx(constant["Y"], rel=1e-9, abs=1e-12)
     assert by_function.disturbance == pytest.approx(constant["disturbance"], abs=0)
     assert constant.disturbance.shape == ()
 
 
-def test_a_run_for_each_of_several_gusts(plane: gl.Aircraft) -> None:
+def test_a_run_for_each_of_several_gusts(plane: gr.Aircraft) -> None:
     peaks = np.array([[100.0], [400.0]])
     gust = gusts.one_minus_cosine(peaks, start=0.2, length=0.5)
-    run = gl.simulate(plane.replace(a=np.array([-0.5, 0.0, 0.5]), Ct=0.0), disturbance=gust, t=1.0)
+    run = gr.simulate(plane.replace(a=np.array([-0.5, 0.0, 0.5]), Ct=0.0), disturbance=gust, t=1.0)
     assert run["v"].shape == run["disturbance"].shape == (2, 3, 501)
     assert run.disturbance.shape == (2, 1, 501)
     alone = gusts.one_minus_cosine(400.0, start=0.2, length=0.5)
-    one = gl.simulate(plane.replace(a=0.5, Ct=0.0), disturbance=alone, t=1.0)
+    one = gr.simulate(plane.replace(a=0.5, Ct=0.0), disturbance=alone, t=1.0)
     assert run["Y"][1, 2] == pytest.approx(one["Y"], rel=1e-9, abs=1e-12)
 
 
-def test_outputs_see_the_force_of_their_time(plane: gl.Aircraft) -> None:
-    run = gl.simulate(plane, disturbance=gusts.step(200.0, start=0.5), t=1.0, samples=3)
+def test_outputs_see_the_force_of_their_time(plane: gr.Aircraft) -> None:
+    run = gr.simulate(plane, disturbance=gusts.step(200.0, start=0.5), t=1.0, samples=3)
     assert run["disturbance"].tolist() == [0.0, 200.0, 200.0]
     assert run["a_y"][1] == pytest.approx(200.0 / plane["m"], rel=1e-12)
 
@@ -172,7 +172,7 @@ def test_shapes_of_the_gusts() -> None:
     assert repr(cosine) == "Gust(1-cosine gust of 400 N from 1 s over 1 s)"
 
 
-def test_a_wind_is_the_force_it_makes_on_the_tail(plane: gl.Aircraft) -> None:
+def test_a_wind_is_the_force_it_makes_on_the_tail(plane: gr.Aircraft) -> None:
     force = gusts.crosswind(plane, "10 kt")
     p = {s: float(plane[s]) for s in ("rho", "Ap", "CL_gamma", "u")}
     wind = 10 * 1852 / 3600
@@ -195,7 +195,7 @@ def test_a_wind_is_the_force_it_makes_on_the_tail(plane: gl.Aircraft) -> None:
     ],
 )
 def test_bad_gusts_are_named(make: object, message: str) -> None:
-    with pytest.raises(gl.GroundloopError, match=message):
+    with pytest.raises(gr.GroundrollError, match=message):
         make()  # type: ignore[operator]
 
 
@@ -207,9 +207,9 @@ def test_bad_gusts_are_named(make: object, message: str) -> None:
         (lambda t: np.full(t.shape, np.inf), "must be finite"),
     ],
 )
-def test_bad_functions_of_time_are_named(plane: gl.Aircraft, force: object, message: str) -> None:
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.simulate(plane, disturbance=force)
+def test_bad_functions_of_time_are_named(plane: gr.Aircraft, force: object, message: str) -> None:
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.simulate(plane, disturbance=force)
 
 
 @pytest.mark.parametrize(

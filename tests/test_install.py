@@ -15,9 +15,9 @@ ROOT = Path(__file__).parent.parent
 USE = """
 import warnings
 warnings.simplefilter("ignore", RuntimeWarning)
-import groundloop as gl
-assert "site" in gl.__file__, gl.__file__
-run = gl.simulate(gl.Aircraft.load("brott"), v0=0.1, t=1.0, samples=11)
+import groundroll as gr
+assert "site" in gr.__file__, gr.__file__
+run = gr.simulate(gr.Aircraft.load("brott"), v0=0.1, t=1.0, samples=11)
 print(f"{run['y'][-1]:.12f}")
 """
 
@@ -61,7 +61,7 @@ def site(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def use(site: Path, folder: Path, **environment: str) -> str:
     """Run a simulation with the installed package, the dependencies being those of this one."""
-    variables = {**os.environ, "PYTHONPATH": str(site), "GROUNDLOOP_CACHE": str(folder / "cache")}
+    variables = {**os.environ, "PYTHONPATH": str(site), "GROUNDROLL_CACHE": str(folder / "cache")}
     command = [sys.executable, "-c", USE]
     result = subprocess.run(
         command,
@@ -89,4 +89,4 @@ def test_a_wheel_carries_all_it_needs(site: Path, tmp_path: Path) -> None:
     ],
 )
 def test_data_is_installed(site: Path, name: str) -> None:
-    assert (site / "groundloop" / name).is_file()
+    assert (site / "groundroll" / name).is_file()

@@ -18,7 +18,7 @@ from oracles import (
 )
 from scipy.integrate import solve_ivp
 
-from groundloop.generated import build, integrators, load
+from groundroll.generated import build, integrators, load
 
 NO_INPUT = np.zeros(1)
 

@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundloop.derive.simd.graph import Graph
-from groundloop.derive.simd.sums import read
-from groundloop.generated import build
+from groundroll.derive.simd.graph import Graph
+from groundroll.derive.simd.sums import read
+from groundroll.generated import build
 
 OPERATIONS: dict[str, Callable[..., float]] = {
     "add": lambda a, b: a + b,

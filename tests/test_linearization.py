@@ -8,20 +8,20 @@ import pytest
 from hypothesis import assume, given
 from oracles import BROTT, MODELS, parameters, points, right_hand_side, state, values
 
-import groundloop as gl
-from groundloop.linearization import modes_of
+import groundroll as gr
+from groundroll.linearization import modes_of
 
 
 def aircraft(tire, p=None):
     """An aircraft from a parameter vector, or the thesis's in Trial 19."""
     names = map(str, MODELS[tire].parameters)
     p = parameters(tire) if p is None else p
-    return gl.Aircraft("random", dict(zip(names, p, strict=True)))
+    return gr.Aircraft("random", dict(zip(names, p, strict=True)))
 
 
 def at(point):
     """The operating point of a random (x, u, p)."""
-    return gl.OperatingPoint(point[0][0], point[0][1], point[1][0])
+    return gr.OperatingPoint(point[0][0], point[0][1], point[1][0])
 
 
 def complex_step(tire, point, k, size=1e-30):
@@ -36,7 +36,7 @@ def complex_step(tire, point, k, size=1e-30):
 def test_the_state_matrix_is_the_derivative_anywhere(tire):
     @given(points(tire))
     def check(point):
-        lin = gl.linearize(aircraft(tire, point[2]), tire, at(point))
+        lin = gr.linearize(aircraft(tire, point[2]), tire, at(point))
         expected = np.stack([complex_step(tire, point, k) for k in (0, 1)], axis=1)
         np.testing.assert_allclose(lin.A, expected, rtol=1e-9, atol=1e-9 * np.abs(lin.A).max())
         drift = right_hand_side(tire)(*point)[:2]
@@ -49,7 +49,7 @@ def test_the_state_matrix_is_the_derivative_anywhere(tire):
 def test_sensitivities_of_a_are_its_differences(tire):
     @given(points(tire))
     def check(point):
-        lin = gl.linearize(aircraft(tire, point[2]), tire, at(point))
+        lin = gr.linearize(aircraft(tire, point[2]), tire, at(point))
         sensitivities = lin.sensitivities()
         for k in range(len(point[2])):
             step = 1e-6 * max(abs(point[2][k]), 1e-7)
@@ -57,7 +57,7 @@ def test_sensitivities_of_a_are_its_differences(tire):
             for side in (1, -1):
                 p = point[2].copy()
                 p[k] += side * step
-                ends.append(gl.linearize(aircraft(tire, p), tire, at(point)).A)
+                ends.append(gr.linearize(aircraft(tire, p), tire, at(point)).A)
             slope = (ends[0] - ends[1]) / (2 * step)
             exact = sensitivities.A[..., k]
             rounding = 1e-15 * np.abs(lin.A).max() / step
@@ -74,7 +74,7 @@ def test_sensitivities_of_eigenvalues_are_those_of_their_eigenvectors(tire):
 
     @given(points(tire))
     def check(point):
-        lin = gl.linearize(aircraft(tire, point[2]), tire, at(point))
+        lin = gr.linearize(aircraft(tire, point[2]), tire, at(point))
         apart = abs(lin.eigenvalues[0] - lin.eigenvalues[1]) / np.abs(lin.eigenvalues).max()
         assume(apart > 1e-3)
         sensitivities = lin.sensitivities()
@@ -97,13 +97,13 @@ def test_modes_that_meet_have_no_slope():
     low, high = 112 * 57.29578, 115 * 57.29578
 
     def discriminant(stiffness):
-        return float(gl.margins(plane.replace(Ct=stiffness)).discriminant)
+        return float(gr.margins(plane.replace(Ct=stiffness)).discriminant)
 
     assert discriminant(low) > 0 > discriminant(high)
     for _ in range(80):
         middle = (low + high) / 2
         low, high = (middle, high) if discriminant(middle) > 0 else (low, middle)
-    meeting = gl.linearize(plane.replace(Ct=[low, 112 * 57.3]), "linear").sensitivities()
+    meeting = gr.linearize(plane.replace(Ct=[low, 112 * 57.3]), "linear").sensitivities()
     assert meeting.modes_meet.tolist() == [True, False]
     assert np.isnan(meeting["Ct"][0]).all()
     assert np.isfinite(meeting["Ct"][1]).all()
@@ -111,9 +111,9 @@ def test_modes_that_meet_have_no_slope():
 
 
 def test_sensitivities_by_name():
-    sensitivities = gl.linearize(aircraft("nonlinear")).sensitivities()
+    sensitivities = gr.linearize(aircraft("nonlinear")).sensitivities()
     np.testing.assert_array_equal(sensitivities["a"], sensitivities["main_gear_arm"])
-    with pytest.raises(gl.GroundloopError, match="main_gear_arm"):
+    with pytest.raises(gr.GroundrollError, match="main_gear_arm"):
         _ = sensitivities["main_gear_am"]
 
 
@@ -131,7 +131,7 @@ def test_modes_are_numpys_eigenvalues(entries):
 
 
 def test_python_control_gets_the_same_model_with_its_names():
-    lin = gl.linearize(aircraft("nonlinear"), at=gl.OperatingPoint(v=0.4, r=0.02))
+    lin = gr.linearize(aircraft("nonlinear"), at=gr.OperatingPoint(v=0.4, r=0.02))
     system = lin.to_control()
     assert isinstance(system, control.StateSpace)
     assert system.state_labels == ["v", "r"]
@@ -147,16 +147,16 @@ def test_python_control_gets_the_same_model_with_its_names():
 
 
 def test_one_point_at_a_time_goes_to_python_control():
-    lin = gl.linearize(aircraft("linear").replace(a=[-0.5, 0.5]), "linear")
-    with pytest.raises(gl.GroundloopError, match=r"lin\[0\].to_control"):
+    lin = gr.linearize(aircraft("linear").replace(a=[-0.5, 0.5]), "linear")
+    with pytest.raises(gr.GroundrollError, match=r"lin\[0\].to_control"):
         lin.to_control()
     np.testing.assert_array_equal(lin[1].to_control().A, lin.A[1])
 
 
 def test_without_python_control_the_error_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "control", None)
-    with pytest.raises(gl.GroundloopError, match=r"pip install 'groundloop\[control\]'"):
-        gl.linearize(aircraft("linear"), "linear").to_control()
+    with pytest.raises(gr.GroundrollError, match=r"pip install 'groundroll\[control\]'"):
+        gr.linearize(aircraft("linear"), "linear").to_control()
 
 
 # --- Arrays ------------------------------------------------------------------------------------
@@ -165,12 +165,12 @@ def test_without_python_control_the_error_says_what_to_install(monkeypatch):
 def test_any_mix_of_arrays_is_that_of_its_points():
     plane = aircraft("nonlinear").replace(a=np.linspace(-0.5, 0.7, 3)[:, None, None])
     v, r = np.array([0.0, 1.0])[:, None], np.array([0.0, 0.1, 0.2, 0.3])
-    lin = gl.linearize(plane, at=gl.OperatingPoint(v, r), speed=[20.0, 30.0, 40.0, 50.0])
+    lin = gr.linearize(plane, at=gr.OperatingPoint(v, r), speed=[20.0, 30.0, 40.0, 50.0])
     assert lin.A.shape == (3, 2, 4, 2, 2)
     assert lin.sensitivities().A.shape == (3, 2, 4, 2, 2, len(MODELS["nonlinear"].parameters))
     one = lin[2, 1, 3]
-    point = gl.OperatingPoint(1.0, 0.3)
-    expected = gl.linearize(aircraft("nonlinear").replace(a=0.7), at=point, speed=50.0)
+    point = gr.OperatingPoint(1.0, 0.3)
+    expected = gr.linearize(aircraft("nonlinear").replace(a=0.7), at=point, speed=50.0)
     for name in ("A", "B", "C", "D", "drift", "eigenvalues", "decay_rate"):
         np.testing.assert_allclose(getattr(one, name), getattr(expected, name), rtol=1e-12)
         np.testing.assert_allclose(getattr(lin, name)[2, 1, 3], getattr(one, name), rtol=1e-12)
@@ -182,27 +182,27 @@ def test_any_mix_of_arrays_is_that_of_its_points():
 
 @pytest.mark.parametrize("index", [5, (0, 0), (0, 0, 0, 0)])
 def test_a_point_that_is_not_there(index):
-    lin = gl.linearize(aircraft("linear").replace(a=[-0.5, 0.5]), "linear")
-    with pytest.raises(gl.GroundloopError, match="there is no"):
+    lin = gr.linearize(aircraft("linear").replace(a=[-0.5, 0.5]), "linear")
+    with pytest.raises(gr.GroundrollError, match="there is no"):
         _ = lin[index]
 
 
 @pytest.mark.parametrize(
     ("point", "words"),
     [
-        (gl.OperatingPoint(v=np.nan), "finite"),
-        (gl.OperatingPoint(r=[np.inf]), "finite"),
-        (gl.OperatingPoint(v=[1.0, 2.0], r=[1.0, 2.0, 3.0]), "broadcast"),
-        (gl.OperatingPoint(v="fast"), "number"),
+        (gr.OperatingPoint(v=np.nan), "finite"),
+        (gr.OperatingPoint(r=[np.inf]), "finite"),
+        (gr.OperatingPoint(v=[1.0, 2.0], r=[1.0, 2.0, 3.0]), "broadcast"),
+        (gr.OperatingPoint(v="fast"), "number"),
     ],
 )
 def test_points_that_cannot_be(point, words):
-    with pytest.raises(gl.GroundloopError, match=words):
-        gl.linearize(aircraft("linear"), "linear", point)
+    with pytest.raises(gr.GroundrollError, match=words):
+        gr.linearize(aircraft("linear"), "linear", point)
 
 
 def test_straight_running_does_not_drift():
-    lin = gl.linearize(aircraft("nonlinear"))
+    lin = gr.linearize(aircraft("nonlinear"))
     np.testing.assert_array_equal(lin.drift, 0.0)
     assert state(v=0.0)[0] == 0
     assert BROTT["a"] == float(lin.aircraft["a"])

@@ -16,37 +16,37 @@ import pytest
 from matplotlib import pyplot
 from PIL import Image
 
-import groundloop as gl
-from groundloop.listing import span
+import groundroll as gr
+from groundroll.listing import span
 
 mpl.use("Agg")
 
-PLANE = gl.Aircraft.load("brott-physical")
+PLANE = gr.Aircraft.load("brott-physical")
 SEVERAL = PLANE.replace(a=[0.2, 0.6], speed=[[20.0], [30.0], [40.0]])
-CESSNA = gl.Aircraft.load("cessna-170")
+CESSNA = gr.Aircraft.load("cessna-170")
 ARMS, SPEEDS = ("a", np.linspace(0.2, 0.6, 9)), ("speed", np.linspace(10.0, 40.0, 9))
 
 #: Public results and what is more in a notebook than words.
 SHOWN: dict[str, tuple[Callable[[], Any], str]] = {
     "Aircraft": (lambda: PLANE, "<table"),
-    "Basin": (lambda: gl.basin(PLANE, SPEEDS, ("v0", [0.0, 20.0])), "<img"),
-    "Ensemble": (lambda: gl.ensemble(SEVERAL, 1.0, v0=0.1, limits={"y": 0.1}), "<table"),
-    "FrequencyResponse": (lambda: gl.frequency_response(gl.linearize(SEVERAL), "r"), "<img"),
-    "GearEnvelope": (lambda: gl.gear_envelope(SEVERAL), "<table"),
-    "GearLimit": (lambda: gl.gear_limit(SEVERAL), "<table"),
-    "Linearization": (lambda: gl.linearize(SEVERAL), "<table"),
-    "Margins": (lambda: gl.margins(SEVERAL), "<table"),
-    "Metrics": (lambda: gl.simulate(SEVERAL, v0=0.1, t=0.1).metrics(), "<table"),
-    "Placement": (lambda: gl.place_gear(CESSNA), "<img"),
-    "RootLocus": (lambda: gl.root_locus(PLANE, *SPEEDS), "<img"),
-    "Sensitivities": (lambda: gl.linearize(SEVERAL).sensitivities(), "<table"),
-    "SpeedWindow": (lambda: gl.speed_window(SEVERAL), "<table"),
-    "StabilityMap": (lambda: gl.stability_map(PLANE, SPEEDS, ARMS), "<img"),
-    "StepResponse": (lambda: gl.step_response(gl.linearize(SEVERAL), "r"), "<img"),
-    "Survival": (lambda: gl.survival(SEVERAL), "<table"),
-    "Sweep": (lambda: gl.sweep(SEVERAL), "<table"),
-    "Trajectory": (lambda: gl.simulate(SEVERAL, v0=0.1, t=1.0), "<svg"),
-    "Trim": (lambda: gl.trim(PLANE, disturbance=100.0), "<table"),
+    "Basin": (lambda: gr.basin(PLANE, SPEEDS, ("v0", [0.0, 20.0])), "<img"),
+    "Ensemble": (lambda: gr.ensemble(SEVERAL, 1.0, v0=0.1, limits={"y": 0.1}), "<table"),
+    "FrequencyResponse": (lambda: gr.frequency_response(gr.linearize(SEVERAL), "r"), "<img"),
+    "GearEnvelope": (lambda: gr.gear_envelope(SEVERAL), "<table"),
+    "GearLimit": (lambda: gr.gear_limit(SEVERAL), "<table"),
+    "Linearization": (lambda: gr.linearize(SEVERAL), "<table"),
+    "Margins": (lambda: gr.margins(SEVERAL), "<table"),
+    "Metrics": (lambda: gr.simulate(SEVERAL, v0=0.1, t=0.1).metrics(), "<table"),
+    "Placement": (lambda: gr.place_gear(CESSNA), "<img"),
+    "RootLocus": (lambda: gr.root_locus(PLANE, *SPEEDS), "<img"),
+    "Sensitivities": (lambda: gr.linearize(SEVERAL).sensitivities(), "<table"),
+    "SpeedWindow": (lambda: gr.speed_window(SEVERAL), "<table"),
+    "StabilityMap": (lambda: gr.stability_map(PLANE, SPEEDS, ARMS), "<img"),
+    "StepResponse": (lambda: gr.step_response(gr.linearize(SEVERAL), "r"), "<img"),
+    "Survival": (lambda: gr.survival(SEVERAL), "<table"),
+    "Sweep": (lambda: gr.sweep(SEVERAL), "<table"),
+    "Trajectory": (lambda: gr.simulate(SEVERAL, v0=0.1, t=1.0), "<svg"),
+    "Trim": (lambda: gr.trim(PLANE, disturbance=100.0), "<table"),
 }
 #: What says enough in words.
 PLAIN = {"Check", "Envelope", "Limits", "OperatingPoint", "Result", "TireData"}
@@ -69,13 +69,13 @@ def test_a_result_tells_something(name: str):
 
 
 def test_every_public_result_is_looked_at():
-    classes = {name for name in gl.__all__ if inspect.isclass(getattr(gl, name))}
-    errors = {name for name in classes if issubclass(getattr(gl, name), Exception)}
+    classes = {name for name in gr.__all__ if inspect.isclass(getattr(gr, name))}
+    errors = {name for name in classes if issubclass(getattr(gr, name), Exception)}
     assert classes == SHOWN.keys() | PLAIN | errors
 
 
 def test_the_picture_is_that_of_plot():
-    html = gl.step_response(gl.linearize(PLANE), "r")._repr_html_()
+    html = gr.step_response(gr.linearize(PLANE), "r")._repr_html_()
     data = base64.b64decode(html.partition("base64,")[2].partition('"')[0])
     with Image.open(io.BytesIO(data)) as image:
         assert image.format == "PNG"
@@ -84,13 +84,13 @@ def test_the_picture_is_that_of_plot():
 
 def test_where_nothing_can_be_drawn_there_are_words():
     nowhere = ("lower_critical_speed", ("a", [-0.9, -0.5]), ("Ct", [1e3, 2e3]))
-    html = gl.stability_map(PLANE, *nowhere[1:], of=nowhere[0])._repr_html_()
+    html = gr.stability_map(PLANE, *nowhere[1:], of=nowhere[0])._repr_html_()
     assert "StabilityMap of lower_critical_speed" in html
     assert "<img" not in html
 
 
 def test_columns_stand_below_each_other():
-    lines = repr(gl.margins(PLANE)).splitlines()
+    lines = repr(gr.margins(PLANE)).splitlines()
     starts = {line.index(text) for line, text in zip(lines[1:3], ("-5.799", "8.3716"), strict=True)}
     assert len(starts) == 1
 

@@ -6,9 +6,9 @@ import pytest
 from matplotlib import pyplot
 from oracles import PER_DEGREE
 
-import groundloop as gl
-from groundloop.stability import CLOSED_FORMS, OVER_SPEED
-from groundloop.study.cases import case
+import groundroll as gr
+from groundroll.stability import CLOSED_FORMS, OVER_SPEED
+from groundroll.study.cases import case
 
 
 @pytest.fixture(autouse=True)
@@ -23,7 +23,7 @@ SPEEDS = np.linspace(5.0, 60.0, 9)
 
 
 def chart(of="decay_rate", number=17, x=("a", ARMS), y=("speed", SPEEDS)):
-    return gl.stability_map(case(number, "linear").plane, x, y, of)
+    return gr.stability_map(case(number, "linear").plane, x, y, of)
 
 
 @pytest.mark.parametrize("of", [*CLOSED_FORMS, "lower_critical_speed", "weakest_speed"])
@@ -35,7 +35,7 @@ def test_each_point_is_that_of_its_aircraft(of):
     assert found.values.shape == (9, 12)
     for i, j in ((0, 0), (3, 7), (8, 11)):
         plane = case(17, "linear").plane.replace(**{"a": ARMS[j], found.y_name: y[1][i]})
-        margins, window = gl.margins(plane), gl.speed_window(plane)
+        margins, window = gr.margins(plane), gr.speed_window(plane)
         expected = {
             "lower_critical_speed": window.low,
             "weakest_speed": window.weakest,
@@ -46,7 +46,7 @@ def test_each_point_is_that_of_its_aircraft(of):
 
 def test_stability_is_that_of_numpys_eigenvalues():
     found = chart(number=19)
-    lin = gl.linearize(found.aircraft, "linear")
+    lin = gr.linearize(found.aircraft, "linear")
     expected = (np.linalg.eigvals(lin.A).real < 0).all(axis=-1)
     np.testing.assert_array_equal(found.stable, expected)
     assert found.stable is found.stable  # whoever asks for every point asks once
@@ -55,7 +55,7 @@ def test_stability_is_that_of_numpys_eigenvalues():
 
 def test_a_map_of_every_speed_is_stable_where_there_is_no_window():
     found = chart("speed_margin", number=19, y=("Ct", np.linspace(0.0, 9000.0, 9)))
-    window = gl.speed_window(found.aircraft)
+    window = gr.speed_window(found.aircraft)
     # behind the CG any stiffness will do; without one, stability is lost only at standstill
     np.testing.assert_array_equal(found.stable, np.isnan(window.low))
 
@@ -66,7 +66,7 @@ def test_a_map_of_every_speed_is_stable_where_there_is_no_window():
 def cut(of, number, parameter, values, others):
     """One row of a map over a parameter and the main tires' stiffness."""
     plane = case(number, "linear").plane
-    found = gl.stability_map(plane, (parameter, values), ("C_alpha", others), of)
+    found = gr.stability_map(plane, (parameter, values), ("C_alpha", others), of)
     return found.values
 
 
@@ -144,11 +144,11 @@ def boundary_of(ax):
 
 def test_the_boundary_drawn_is_where_the_gear_limit_is():
     plane = case(17, "linear").plane
-    found = gl.stability_map(
+    found = gr.stability_map(
         plane, ("a", np.linspace(0.5, 1.6, 200)), ("speed", np.linspace(10.0, 60.0, 200))
     )
     vertices = boundary_of(found.plot())
-    limit = gl.gear_limit(plane, speed=vertices[:, 1]).lost
+    limit = gr.gear_limit(plane, speed=vertices[:, 1]).lost
     np.testing.assert_allclose(vertices[:, 0], limit, atol=2e-3)
 
 
@@ -224,25 +224,25 @@ def test_what_has_no_value_everywhere_is_drawn_all_the_same(of):
     ],
 )
 def test_what_cannot_be_is_named(change, words):
-    with pytest.raises(gl.GroundloopError, match=words):
+    with pytest.raises(gr.GroundrollError, match=words):
         chart(**change)
 
 
 def test_a_parameter_that_is_overruled_is_named():
     """With a and b given, the CG's station moves nothing: a map over it would be a lie."""
     plane = case(5, "linear").plane.replace(a=0.5, b=3.9)
-    with pytest.raises(gl.GroundloopError, match="does not depend on cg_station"):
-        gl.stability_map(plane, ("x_cg", [0.3, 0.4]), ("speed", SPEEDS))
-    with pytest.raises(gl.GroundloopError, match="are arrays"):
-        gl.stability_map(plane.replace(m=[700.0, 800.0]), ("a", ARMS), ("speed", SPEEDS))
+    with pytest.raises(gr.GroundrollError, match="does not depend on cg_station"):
+        gr.stability_map(plane, ("x_cg", [0.3, 0.4]), ("speed", SPEEDS))
+    with pytest.raises(gr.GroundrollError, match="are arrays"):
+        gr.stability_map(plane.replace(m=[700.0, 800.0]), ("a", ARMS), ("speed", SPEEDS))
 
 
 def test_pictures_of_what_cannot_be_drawn():
-    with pytest.raises(gl.GroundloopError, match="unknown trial '99'"):
+    with pytest.raises(gr.GroundrollError, match="unknown trial '99'"):
         chart().plot(trials=[99])
-    with pytest.raises(gl.GroundloopError, match="cg_range"):
+    with pytest.raises(gr.GroundrollError, match="cg_range"):
         chart(x=("Ct", np.linspace(1e3, 9e3, 5))).plot(cg_range=True)
-    with pytest.raises(gl.GroundloopError, match="ranges"):
+    with pytest.raises(gr.GroundrollError, match="ranges"):
         chart().plot(ranges={"mass": (1.0, 2.0)})
-    with pytest.raises(gl.GroundloopError, match="nothing to draw"):
+    with pytest.raises(gr.GroundrollError, match="nothing to draw"):
         chart("lower_critical_speed", x=("a", [-0.9, -0.5]), y=("Ct", [1e3, 2e3])).plot()

@@ -8,13 +8,13 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from oracles import BROTT, MODELS, PER_DEGREE, points
 
-import groundloop as gl
-from groundloop.derive import gear_position, margins, worst_speed
-from groundloop.derive.closed_forms import C_f, K, k, routh_hurwitz, speed_polynomial, stiffnesses
-from groundloop.derive.equation import expand
-from groundloop.derive.linear import state_space
-from groundloop.derive.loads import static_loads
-from groundloop.derive.quantities import (
+import groundroll as gr
+from groundroll.derive import gear_position, margins, worst_speed
+from groundroll.derive.closed_forms import C_f, K, k, routh_hurwitz, speed_polynomial, stiffnesses
+from groundroll.derive.equation import expand
+from groundroll.derive.linear import state_space
+from groundroll.derive.loads import static_loads
+from groundroll.derive.quantities import (
     B3,
     C3,
     K1,
@@ -30,7 +30,7 @@ from groundloop.derive.quantities import (
     m,
     u,
 )
-from groundloop.polynomials import negative_stretch, roots
+from groundroll.polynomials import negative_stretch, roots
 
 NAMES = tuple(map(str, MODELS["linear"].parameters))
 
@@ -38,7 +38,7 @@ NAMES = tuple(map(str, MODELS["linear"].parameters))
 def aircraft(**changes):
     """The thesis's aircraft of Trial 19, with changes, as plain numbers."""
     values = {name: BROTT[name] for name in NAMES} | changes
-    return gl.Aircraft("random", values)
+    return gr.Aircraft("random", values)
 
 
 _A = sp.lambdify(MODELS["linear"].parameters, list(state_space(MODELS["linear"])[0]), "numpy")
@@ -75,30 +75,30 @@ taildraggers = planes.filter(lambda plane: 0.05 < float(plane["a"]) < 0.8 * floa
 def test_the_tail_wheel_that_the_thesis_needs():
     """66.9 N/deg at full load makes it stable at every speed; the worst speed is 98.5 km/h."""
     plane = aircraft()
-    needed = float(gl.margins(plane).stiffness_needed_always)
+    needed = float(gr.margins(plane).stiffness_needed_always)
     assert needed / PER_DEGREE == pytest.approx(66.9, abs=0.05)
 
-    at_the_edge = gl.speed_window(plane.replace(Ct=needed))
+    at_the_edge = gr.speed_window(plane.replace(Ct=needed))
     assert float(at_the_edge.weakest) * 3.6 == pytest.approx(98.5, abs=0.1)
     assert float(at_the_edge.worst) * 3.6 == pytest.approx(98.5, abs=0.1)
     assert float(at_the_edge.worst_decay_rate) == pytest.approx(0.0, abs=1e-9)
     assert float(at_the_edge.least_determinant) == pytest.approx(0.0, abs=1e-9)
 
-    stiff, soft = (gl.speed_window(plane.replace(Ct=needed * s)) for s in (1.001, 0.999))
+    stiff, soft = (gr.speed_window(plane.replace(Ct=needed * s)) for s in (1.001, 0.999))
     assert np.isnan(stiff.low)
     assert np.isnan(stiff.high)
     assert soft.low < at_the_edge.weakest < soft.high
 
 
 def test_table_4_8_is_stable_with_each_tail_wheel():
-    found = gl.margins(aircraft(Ct=PER_DEGREE * np.array([70.0, 112.0, 145.0])))
+    found = gr.margins(aircraft(Ct=PER_DEGREE * np.array([70.0, 112.0, 145.0])))
     assert (found.speed_margin > 0).all()
     np.testing.assert_allclose(-found.decay_rate, [-0.118, -2.56, -3.24], atol=6e-3)
 
 
 def test_a_slow_mode_halves_in_the_time_it_takes():
     """Trial 19: lambda = -0.118, so a deviation halves in ln 2 / 0.118 s."""
-    found = gl.margins(aircraft())
+    found = gr.margins(aircraft())
     assert float(found.time_to_half) == pytest.approx(np.log(2) / 0.118, rel=5e-3)
     assert np.isinf(found.time_to_double)
 
@@ -108,7 +108,7 @@ def test_a_slow_mode_halves_in_the_time_it_takes():
 
 @given(planes)
 def test_modes_are_numpys_eigenvalues(plane):
-    A, found = state_matrix(plane), gl.margins(plane)
+    A, found = state_matrix(plane), gr.margins(plane)
     eigenvalues = np.linalg.eigvals(A)
     scale = np.abs(eigenvalues).max()
     assert float(found.trace) == pytest.approx(np.trace(A), rel=1e-9, abs=1e-12 * scale)
@@ -122,7 +122,7 @@ def test_modes_are_numpys_eigenvalues(plane):
 
 @given(planes)
 def test_times_are_those_in_which_the_slow_mode_halves_or_doubles(plane):
-    found = gl.margins(plane)
+    found = gr.margins(plane)
     assume(abs(found.decay_rate) > 1e-9)
     grown = np.exp(-found.decay_rate * np.minimum(found.time_to_half, found.time_to_double))
     assert float(grown) == pytest.approx(0.5 if found.decay_rate > 0 else 2.0, rel=1e-12)
@@ -130,7 +130,7 @@ def test_times_are_those_in_which_the_slow_mode_halves_or_doubles(plane):
 
 @given(planes)
 def test_a_side_force_at_the_neutral_steer_point_does_not_turn_the_aircraft(plane):
-    found = gl.margins(plane)
+    found = gr.margins(plane)
     A, mass, inertia = state_matrix(plane), float(plane["m"]), float(plane["Izz"])
     assume(np.linalg.cond(A) < 1e9)
     station = float(found.neutral_steer_point)
@@ -144,7 +144,7 @@ def test_a_side_force_at_the_neutral_steer_point_does_not_turn_the_aircraft(plan
 @given(planes)
 def test_understeer_gradient_is_the_difference_of_load_over_stiffness(plane):
     """K_us = (W_front/C_front - W_rear/C_rear)/g, and r = u delta / (L + K_us u^2)."""
-    gradient = float(gl.margins(plane).understeer_gradient)
+    gradient = float(gr.margins(plane).understeer_gradient)
     v = {name: float(plane[name]) for name in NAMES}
     base, C = v["a"] + v["b"], 2 * v["C_alpha"]
     tail = v["Ct"] + v["rho"] * v["Ap"] * v["CL_gamma"] / 2 * v["u"] ** 2
@@ -159,14 +159,14 @@ def test_understeer_gradient_is_the_difference_of_load_over_stiffness(plane):
 
 @given(planes)
 def test_the_window_is_where_the_determinant_is_negative(plane):
-    window = gl.speed_window(plane)
+    window = gr.speed_window(plane)
     speeds = np.geomspace(0.05, 2000.0, 400)
     negative = determinant(plane, u=speeds) < 0
     inside = (speeds > window.low) & (speeds < window.high)
     near = [np.abs(speeds / end - 1) < 1e-6 for end in (window.low, window.high)]
     assert (negative == inside)[~np.logical_or(*near)].all()
 
-    always = bool(gl.margins(plane).speed_margin > 0)
+    always = bool(gr.margins(plane).speed_margin > 0)
     assert always == np.isnan(window.low) == np.isnan(window.high) == (window.least_determinant > 0)
     if not always:
         assert float(window.weakest) == pytest.approx(np.sqrt(window.low * window.high), rel=1e-9)
@@ -175,7 +175,7 @@ def test_the_window_is_where_the_determinant_is_negative(plane):
 @given(planes, st.floats(2.0, 20.0), st.floats(1.5, 6.0))
 def test_no_speed_decays_slower_than_the_worst(plane, low, ratio):
     high = low * ratio
-    window = gl.speed_window(plane, speeds=(low, high))
+    window = gr.speed_window(plane, speeds=(low, high))
     speeds = np.linspace(low, high, 400)
     brute = decay_rates(plane, speeds)
     scale = np.abs(brute).max()
@@ -187,14 +187,14 @@ def test_no_speed_decays_slower_than_the_worst(plane, low, ratio):
 
 @given(taildraggers)
 def test_the_tail_wheel_needed_is_that_of_a_zero_determinant(plane):
-    found = gl.margins(plane)
+    found = gr.margins(plane)
     scale = np.abs(np.linalg.eigvals(state_matrix(plane))).max() ** 2
     if found.stiffness_needed > 0:
         there = determinant(plane, Ct=found.stiffness_needed)
         assert there == pytest.approx(0.0, abs=1e-9 * scale)
     if found.stiffness_needed_always > 1.0:
         for factor in (1.001, 0.999):
-            other = gl.margins(plane.replace(Ct=factor * found.stiffness_needed_always))
+            other = gr.margins(plane.replace(Ct=factor * found.stiffness_needed_always))
             assert (other.speed_margin > 0) == (factor > 1)
 
 
@@ -203,7 +203,7 @@ def test_the_tail_wheel_needed_is_that_of_a_zero_determinant(plane):
 
 @given(taildraggers)
 def test_stability_is_lost_where_the_gear_limit_says(plane):
-    limit = gl.gear_limit(plane)
+    limit = gr.gear_limit(plane)
     arms = np.linspace(-0.9 * float(plane["b"]), 3 * float(plane["b"]), 300)
     negative = determinant(plane, a=arms) < 0
     inside = (arms > limit.lost) & (arms < limit.regained)
@@ -212,8 +212,8 @@ def test_stability_is_lost_where_the_gear_limit_says(plane):
 
 @given(taildraggers, st.floats(2.0, 20.0), st.floats(1.5, 6.0))
 def test_the_envelope_is_the_least_limit_over_speed(plane, low, ratio):
-    envelope = gl.gear_envelope(plane, speeds=(low, low * ratio))
-    over_speed = gl.gear_limit(plane, speed=np.linspace(low, low * ratio, 4001)).lost
+    envelope = gr.gear_envelope(plane, speeds=(low, low * ratio))
+    over_speed = gr.gear_limit(plane, speed=np.linspace(low, low * ratio, 4001)).lost
     if np.isnan(over_speed).all():
         assert np.isnan(envelope.lost)
         return
@@ -221,7 +221,7 @@ def test_the_envelope_is_the_least_limit_over_speed(plane, low, ratio):
     assume(least < float(plane["b"]))
     assert float(envelope.lost) <= least * (1 + 1e-12)
     assert float(envelope.lost) == pytest.approx(least, rel=1e-5)
-    at_that_speed = gl.gear_limit(plane, speed=envelope.speed).lost
+    at_that_speed = gr.gear_limit(plane, speed=envelope.speed).lost
     assert float(at_that_speed) == pytest.approx(float(envelope.lost), rel=1e-9)
 
 
@@ -233,23 +233,23 @@ def following(plane, arm, speed):
 
 @pytest.mark.parametrize("speed", [12.0, 100 / 3.6, 45.0])
 def test_the_limit_with_loads_that_follow_is_that_of_the_loads_module(speed):
-    plane = gl.Aircraft.load("brott")
-    limit = gl.gear_limit(plane, speed=speed, loads="follow")
+    plane = gr.Aircraft.load("brott")
+    limit = gr.gear_limit(plane, speed=speed, loads="follow")
     arms = np.linspace(0.001, 4.0, 500)
     planes = following(plane, arms, speed)
-    found = gl.margins(planes).determinant
+    found = gr.margins(planes).determinant
     inside = (arms > limit.lost) & (arms < limit.regained)
     assert ((found < 0) == inside).all()
     if np.isfinite(limit.lost):
-        at_limit = gl.margins(following(plane, limit.lost, speed)).determinant
+        at_limit = gr.margins(following(plane, limit.lost, speed)).determinant
         assert float(at_limit) == pytest.approx(0.0, abs=1e-8)
 
 
 def test_the_envelope_with_loads_that_follow_is_the_least_over_speed():
-    plane = gl.Aircraft.load("brott")
+    plane = gr.Aircraft.load("brott")
     for speeds in ((5.0, 60.0), (5.0, 25.0), (40.0, 60.0)):
-        envelope = gl.gear_envelope(plane, speeds=speeds, loads="follow")
-        grid = gl.gear_limit(plane, speed=np.linspace(*speeds, 20001), loads="follow").lost
+        envelope = gr.gear_envelope(plane, speeds=speeds, loads="follow")
+        grid = gr.gear_limit(plane, speed=np.linspace(*speeds, 20001), loads="follow").lost
         assert float(envelope.lost) == pytest.approx(np.nanmin(grid), abs=1e-7)
 
 
@@ -262,11 +262,11 @@ def test_equal_cornering_coefficients_cancel_at_any_position():
     difference = tail * b - main * a
     assert sp.simplify(difference) == 0
 
-    plane = gl.Aircraft.load("brott").replace(B3=12.0, C3=0.0, K1=12.0, K2=0.0, K3=0.0, K4=0.0)
-    limit = gl.gear_limit(plane, speed=np.array([5.0, 30.0, 80.0]), loads="follow")
+    plane = gr.Aircraft.load("brott").replace(B3=12.0, C3=0.0, K1=12.0, K2=0.0, K3=0.0, K4=0.0)
+    limit = gr.gear_limit(plane, speed=np.array([5.0, 30.0, 80.0]), loads="follow")
     assert np.isnan(limit.lost).all()
     arms = np.linspace(0.05, 3.0, 30)
-    without_tail = gl.margins(following(plane.replace(Ap=0.0), arms, 30.0))
+    without_tail = gr.margins(following(plane.replace(Ap=0.0), arms, 30.0))
     np.testing.assert_allclose(without_tail.neutral_steer_point, 0.0, atol=1e-12)
 
 
@@ -300,7 +300,7 @@ def test_the_stationary_quartic_holds_each_stationary_real_eigenvalue():
         value = mp.fsum(c * s**n for n, c in enumerate(terms))
         size = mp.fsum(abs(c) * s**n for n, c in enumerate(terms))
         assert abs(value / size) < mp.mpf(10) ** -15
-        found = gl.speed_window(aircraft(), speeds=(20.0, 40.0))
+        found = gr.speed_window(aircraft(), speeds=(20.0, 40.0))
         assert float(found.worst) == pytest.approx(float(mp.sqrt(s)), rel=1e-9)
 
 
@@ -323,69 +323,69 @@ def test_the_position_polynomial_is_det_a():
 
 
 def test_windows_without_an_end():
-    without_wheel = gl.speed_window(aircraft(Ct=0.0))
+    without_wheel = gr.speed_window(aircraft(Ct=0.0))
     assert without_wheel.low == 0
     assert 0 < without_wheel.high < np.inf
-    without_tail = gl.speed_window(aircraft(Ap=0.0))
+    without_tail = gr.speed_window(aircraft(Ap=0.0))
     assert without_tail.low > 0
     assert without_tail.high == np.inf
-    neither = gl.speed_window(aircraft(Ap=0.0, Ct=0.0))
+    neither = gr.speed_window(aircraft(Ap=0.0, Ct=0.0))
     assert neither.low == 0
     assert neither.high == np.inf
 
 
 @pytest.mark.parametrize("missing", [{}, {"Ct": 0.0}, {"Ap": 0.0}])
 def test_a_gear_behind_the_cg_has_no_window(missing):
-    window = gl.speed_window(aircraft(a=-0.5, **missing))
+    window = gr.speed_window(aircraft(a=-0.5, **missing))
     assert np.isnan(window.low)
     assert np.isnan(window.high)
 
 
 def test_a_mode_that_stays_neither_halves_nor_doubles():
     """Trials 1 and 2: gear at the CG and nothing at the tail, one eigenvalue is zero."""
-    found = gl.margins(aircraft(a=0.0, Ap=0.0, Ct=0.0))
+    found = gr.margins(aircraft(a=0.0, Ap=0.0, Ct=0.0))
     assert found.determinant == 0
     assert found.time_to_half == np.inf
     assert found.time_to_double == np.inf
 
 
 def test_without_a_tail_the_gear_must_be_behind_the_cg():
-    limit = gl.gear_limit(aircraft(Ap=0.0, Ct=0.0))
+    limit = gr.gear_limit(aircraft(Ap=0.0, Ct=0.0))
     assert limit.lost == 0
     assert limit.regained == np.inf
 
 
 def test_a_slow_aircraft_may_have_its_gear_anywhere():
-    assert np.isnan(gl.gear_limit(aircraft(), speed=2.0).lost)
-    assert np.isnan(gl.gear_envelope(aircraft(), speeds=(1.0, 2.0)).lost)
+    assert np.isnan(gr.gear_limit(aircraft(), speed=2.0).lost)
+    assert np.isnan(gr.gear_envelope(aircraft(), speeds=(1.0, 2.0)).lost)
 
 
 def test_arrays_go_through():
     plane = aircraft(a=np.linspace(-0.5, 1.0, 4)[:, None])
-    found = gl.margins(plane, speed=[10.0, 20.0, 30.0])
+    found = gr.margins(plane, speed=[10.0, 20.0, 30.0])
     assert all(np.shape(value) == (4, 3) for value in vars(found).values())
-    window = gl.speed_window(plane, speeds=(5.0, [30.0, 60.0]))
+    window = gr.speed_window(plane, speeds=(5.0, [30.0, 60.0]))
     assert window.worst.shape == (4, 2)
-    one = gl.speed_window(aircraft(a=1.0), speeds=(5.0, 60.0))
+    one = gr.speed_window(aircraft(a=1.0), speeds=(5.0, 60.0))
     assert window.worst[3, 1] == pytest.approx(float(one.worst), rel=1e-12)
-    assert gl.gear_envelope(aircraft(m=[700.0, 800.0]), loads="fixed").lost.shape == (2,)
+    assert gr.gear_envelope(aircraft(m=[700.0, 800.0]), loads="fixed").lost.shape == (2,)
 
 
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: gl.speed_window(aircraft(), speeds=(30.0, 20.0)), "above"),
-        (lambda: gl.speed_window(aircraft(), speeds=(0.0, 20.0)), "positive"),
-        (lambda: gl.speed_window(aircraft(), speeds=5.0), "pair"),
-        (lambda: gl.speed_window(aircraft(), speeds=(np.nan, 20.0)), "finite"),
-        (lambda: gl.margins(aircraft(), speed=-1.0), "positive"),
-        (lambda: gl.margins(aircraft(a=[1.0, 2.0]), speed=[1.0, 2.0, 3.0]), "broadcast"),
-        (lambda: gl.gear_limit(aircraft(), loads="folow"), "follow"),
-        (lambda: gl.gear_limit(aircraft(), loads="follow"), "not given"),
+        (lambda: gr.speed_window(aircraft(), speeds=(30.0, 20.0)), "above"),
+        (lambda: gr.speed_window(aircraft(), speeds=(0.0, 20.0)), "positive"),
+        (lambda: gr.speed_window(aircraft(), speeds=5.0), "pair"),
+        (lambda: gr.speed_window(aircraft(), speeds=(np.nan, 20.0)), "finite"),
+        (lambda: gr.margins(aircraft(), speed=-1.0), "positive"),
+        (lambda: gr.margins(aircraft(a=[1.0, 2.0]), speed=[1.0, 2.0, 3.0]), "broadcast"),
+        (lambda: gr.gear_limit(aircraft(), loads="folow"), "follow"),
+        (lambda: gr.gear_limit(aircraft(), loads="follow"), "not given"),
     ],
 )
 def test_what_cannot_be_is_named(call, words):
-    with pytest.raises(gl.GroundloopError, match=words):
+    with pytest.raises(gr.GroundrollError, match=words):
         call()
 
 

@@ -6,8 +6,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from oracles import BROTT, MODELS, TRIALS, Array, call, parameters, points, state, values, vector
 
-from groundloop.generated import MODELS as SIGNATURES
-from groundloop.generated import integrators, load
+from groundroll.generated import MODELS as SIGNATURES
+from groundroll.generated import integrators, load
 
 NO_INPUT = np.zeros(1)
 MIRROR = np.array([-1, -1, -1, -1, 1, -1, -1])  # v, r, y, theta, X, Y, psi

@@ -19,11 +19,11 @@ from hypothesis import strategies as st
 from oracles import BROTT, MODELS, PER_DEGREE, Array, right_hand_side
 from scipy.integrate import solve_ivp
 
-import groundloop as gl
-from groundloop.evaluate import elementwise
-from groundloop.placement import SOURCES
-from groundloop.placement.search import least
-from groundloop.placement.worked import WorkedStudy, worked_study
+import groundroll as gr
+from groundroll.evaluate import elementwise
+from groundroll.placement import SOURCES
+from groundroll.placement.search import least
+from groundroll.placement.worked import WorkedStudy, worked_study
 
 mpl.use("Agg")
 
@@ -38,17 +38,17 @@ CG_RANGE = np.linspace(FORWARD, AFT, 9)
 
 
 @pytest.fixture(scope="module")
-def brott() -> gl.Aircraft:
-    return gl.Aircraft.load("brott").replace(cg_height=HEIGHT, nose_wheel_station=NOSE)
+def brott() -> gr.Aircraft:
+    return gr.Aircraft.load("brott").replace(cg_height=HEIGHT, nose_wheel_station=NOSE)
 
 
 @pytest.fixture(scope="module")
-def physical() -> gl.Aircraft:
-    plane = gl.Aircraft.load("brott-physical")
+def physical() -> gr.Aircraft:
+    plane = gr.Aircraft.load("brott-physical")
     return plane.replace(cg_height=HEIGHT, nose_wheel_station=NOSE, lift_off_speed="130 km/h")
 
 
-ENVELOPE = gl.Envelope(speed=("20 km/h", "110 km/h"))
+ENVELOPE = gr.Envelope(speed=("20 km/h", "110 km/h"))
 
 
 # --- The oracle -------------------------------------------------------------------------------
@@ -140,8 +140,8 @@ CASES: dict[str, tuple[str, dict[str, Any], dict[str, Any], tuple[float, float]]
 
 
 def test_stiffness_is_constant_where_one_is_given(physical):
-    def chosen(plane: gl.Aircraft, **options: Any) -> str:
-        return gl.place_gear(plane, ENVELOPE, **options).case.stiffness
+    def chosen(plane: gr.Aircraft, **options: Any) -> str:
+        return gr.place_gear(plane, ENVELOPE, **options).case.stiffness
 
     soft = physical.replace(Ct="70 N/deg")
     assert chosen(physical) == "following"
@@ -153,15 +153,15 @@ def test_stiffness_is_constant_where_one_is_given(physical):
 @pytest.mark.parametrize("stiffness", ["constant", "following"])
 @pytest.mark.parametrize("name", CASES)
 def test_the_answer_is_that_of_a_dense_grid(
-    brott: gl.Aircraft, physical: gl.Aircraft, name: str, stiffness: str
+    brott: gr.Aircraft, physical: gr.Aircraft, name: str, stiffness: str
 ) -> None:
     objective, ranges, options, (low, high) = CASES[name]
     following = stiffness == "following"
     options = {**options, "following": following}
-    found = gl.place_gear(
+    found = gr.place_gear(
         physical if following else brott,
-        gl.Envelope(speed=("20 km/h", "110 km/h"), **ranges),
-        gl.Limits(),
+        gr.Envelope(speed=("20 km/h", "110 km/h"), **ranges),
+        gr.Limits(),
         objective,
         variables={"main_gear_station": (low, high)},
         layout=options.get("layout"),
@@ -174,17 +174,17 @@ def test_the_answer_is_that_of_a_dense_grid(
     assert score(found.station, **options) >= score(station, **options) - 2e-5
 
 
-def test_the_answer_with_lift_is_that_of_a_dense_grid(physical: gl.Aircraft) -> None:
-    found = gl.place_gear(physical, gl.Envelope(speed=("20 km/h", "110 km/h"), lift=True))
+def test_the_answer_with_lift_is_that_of_a_dense_grid(physical: gr.Aircraft) -> None:
+    found = gr.place_gear(physical, gr.Envelope(speed=("20 km/h", "110 km/h"), lift=True))
     score = lambda x: decay(x, following=True, lift_off=130 / 3.6)  # noqa: E731
     station = best_on_grid(score, FORWARD - 1, FORWARD)
     assert found.station == pytest.approx(station, abs=1e-4)
     assert found.value == pytest.approx(score(station), abs=2e-5)
 
 
-def test_two_variables_are_those_of_a_dense_grid(physical: gl.Aircraft) -> None:
+def test_two_variables_are_those_of_a_dense_grid(physical: gr.Aircraft) -> None:
     box = {"main_gear_station": (-0.4, FORWARD), "tail_wheel_scale": (0.2, 1.2)}
-    found = gl.place_gear(physical, ENVELOPE, gl.Limits(damping_ratio=0.9), variables=box)
+    found = gr.place_gear(physical, ENVELOPE, gr.Limits(damping_ratio=0.9), variables=box)
     scores = {}
     for scale in np.linspace(0.2, 1.2, 21):
         for x in np.linspace(-0.4, FORWARD, 41):
@@ -197,10 +197,10 @@ def test_two_variables_are_those_of_a_dense_grid(physical: gl.Aircraft) -> None:
     assert damping(found.station, **options) == pytest.approx(0.9, abs=1e-5)
 
 
-def test_the_worst_speed_may_be_inside_the_range(brott: gl.Aircraft) -> None:
-    envelope = gl.Envelope(speed=("20 km/h", "110 km/h"), tail_load=0.5)
-    limits = gl.Limits(nose_over=("20 deg", None))
-    found = gl.place_gear(brott, envelope, limits)
+def test_the_worst_speed_may_be_inside_the_range(brott: gr.Aircraft) -> None:
+    envelope = gr.Envelope(speed=("20 km/h", "110 km/h"), tail_load=0.5)
+    limits = gr.Limits(nose_over=("20 deg", None))
+    found = gr.place_gear(brott, envelope, limits)
     speed = found.assessment.decay_rate.corner["u"]
     real = eigenvalues(found.station, following=False, tail_load=0.5).real.max(axis=(1, 2))
     assert speed == pytest.approx(SPEEDS[real.argmax()], abs=0.15)
@@ -211,18 +211,18 @@ def test_the_worst_speed_may_be_inside_the_range(brott: gl.Aircraft) -> None:
     )
 
 
-def test_a_set_is_only_its_members(brott: gl.Aircraft) -> None:
-    limits = gl.Limits(nose_over=("20 deg", None))
-    ends = gl.place_gear(brott, gl.Envelope(speed=["20 km/h", "110 km/h"], tail_load=0.5), limits)
-    within = gl.Envelope(speed=("20 km/h", "110 km/h"), tail_load=0.5)
-    whole = gl.place_gear(brott, within, limits)
+def test_a_set_is_only_its_members(brott: gr.Aircraft) -> None:
+    limits = gr.Limits(nose_over=("20 deg", None))
+    ends = gr.place_gear(brott, gr.Envelope(speed=["20 km/h", "110 km/h"], tail_load=0.5), limits)
+    within = gr.Envelope(speed=("20 km/h", "110 km/h"), tail_load=0.5)
+    whole = gr.place_gear(brott, within, limits)
     assert ends.value > whole.value + 0.01
     assert set(np.round(ends.corners["u"] * 3.6, 6)) == {20.0, 110.0}
 
 
 # --- Limits, prices, today ----------------------------------------------------------------------
-def test_the_nose_over_limit_binds_where_geometry_says(physical: gl.Aircraft) -> None:
-    found = gl.place_gear(physical, ENVELOPE, gl.Limits.textbook("taildragger"))
+def test_the_nose_over_limit_binds_where_geometry_says(physical: gr.Aircraft) -> None:
+    found = gr.place_gear(physical, ENVELOPE, gr.Limits.textbook("taildragger"))
     assert found.station == pytest.approx(AFT - HEIGHT * np.tan(np.radians(25)), abs=1e-7)
     assert [p.of for p in found.binding] == ["nose_over at most 25.00 deg"]
     standing = {str(s.bound): s for s in found.assessment.standings}
@@ -231,21 +231,21 @@ def test_the_nose_over_limit_binds_where_geometry_says(physical: gl.Aircraft) ->
     assert np.degrees(at_least.worst.value) == pytest.approx(angle(found.station, FORWARD))
 
 
-def test_the_smallest_change_goes_no_further_than_it_must(physical: gl.Aircraft) -> None:
+def test_the_smallest_change_goes_no_further_than_it_must(physical: gr.Aircraft) -> None:
     target = 2.3
-    limits = gl.Limits(decay_rate=target)
-    found = gl.place_gear(physical, ENVELOPE, limits, "smallest_change")
+    limits = gr.Limits(decay_rate=target)
+    found = gr.place_gear(physical, ENVELOPE, limits, "smallest_change")
     low, high = -10 * INCH, 0.0
     for _ in range(40):
         middle = (low + high) / 2
         low, high = (middle, high) if decay(middle, following=True) < target else (low, middle)
     assert found.station == pytest.approx(high, abs=1e-5)
     assert found.assessment.decay_rate.value == pytest.approx(target, abs=1e-7)
-    good = gl.place_gear(physical, ENVELOPE, gl.Limits(decay_rate=1.5), "smallest_change")
+    good = gr.place_gear(physical, ENVELOPE, gr.Limits(decay_rate=1.5), "smallest_change")
     assert good.station == pytest.approx(-10 * INCH, abs=1e-6)
 
 
-def _gain(found: gl.Placement, of: str) -> float:
+def _gain(found: gr.Placement, of: str) -> float:
     (gain,) = (p.gain for p in (*found.binding, *found.prices) if p.of.startswith(of))
     return gain
 
@@ -255,7 +255,7 @@ def _slope(value: Callable[[float], float], step: float) -> float:
     return (value(step) - value(-step)) / (2 * step)
 
 
-def test_prices_are_differences_of_solved_problems(physical: gl.Aircraft) -> None:
+def test_prices_are_differences_of_solved_problems(physical: gr.Aircraft) -> None:
     area = {"main_gear_station": (-0.6, 0.3), "tail_area": (0.5, 0.8)}
 
     def best(**change: float) -> float:
@@ -263,13 +263,13 @@ def test_prices_are_differences_of_solved_problems(physical: gl.Aircraft) -> Non
         plane = plane.replace(x_aft=AFT + change.get("aft", 0.0))
         plane = plane.replace(h_cg=HEIGHT + change.get("height", 0.0))
         box = {**area, "tail_area": (0.5, 0.8 + change.get("area", 0.0))}
-        limits = gl.Limits(nose_over=(None, np.radians(25 + change.get("angle", 0.0))))
+        limits = gr.Limits(nose_over=(None, np.radians(25 + change.get("angle", 0.0))))
         top = 110 / 3.6 + change.get("speed", 0.0)
-        envelope = gl.Envelope(speed=(20 / 3.6, top))
-        return gl.place_gear(plane, envelope, limits, variables=box).value
+        envelope = gr.Envelope(speed=(20 / 3.6, top))
+        return gr.place_gear(plane, envelope, limits, variables=box).value
 
-    limits = gl.Limits(nose_over=(None, np.radians(25)))
-    found = gl.place_gear(physical, ENVELOPE, limits, variables=area)
+    limits = gr.Limits(nose_over=(None, np.radians(25)))
+    found = gr.place_gear(physical, ENVELOPE, limits, variables=area)
     expected = {
         "nose_over at most": _slope(lambda h: best(angle=h), 0.01),
         "tail_area at most": 0.01 * _slope(lambda h: best(area=h), 1e-3),
@@ -283,8 +283,8 @@ def test_prices_are_differences_of_solved_problems(physical: gl.Aircraft) -> Non
     assert prices["nose_over at most"] > 0
 
 
-def test_the_price_of_a_millimetre_of_todays_gear(physical: gl.Aircraft) -> None:
-    found = gl.place_gear(physical, ENVELOPE)
+def test_the_price_of_a_millimetre_of_todays_gear(physical: gr.Aircraft) -> None:
+    found = gr.place_gear(physical, ENVELOPE)
     assert found.today is not None
     (price,) = found.today.prices
     slope = _slope(lambda h: decay(-10 * INCH + h, following=True), 1e-3)
@@ -294,10 +294,10 @@ def test_the_price_of_a_millimetre_of_todays_gear(physical: gl.Aircraft) -> None
     assert found.today.decay_rate.value == pytest.approx(here, abs=1e-4)
 
 
-def test_what_is_found_is_what_linearize_finds(physical: gl.Aircraft) -> None:
-    found = gl.place_gear(physical, ENVELOPE, gl.Limits.textbook("taildragger"))
+def test_what_is_found_is_what_linearize_finds(physical: gr.Aircraft) -> None:
+    found = gr.place_gear(physical, ENVELOPE, gr.Limits.textbook("taildragger"))
     plane = found.aircraft.replace(cg_station=found.worst.corner["x_cg"])
-    lin = gl.linearize(plane, "linear", speed=found.worst.corner["u"])
+    lin = gr.linearize(plane, "linear", speed=found.worst.corner["u"])
     assert lin.decay_rate == pytest.approx(found.value, rel=1e-12)
 
 
@@ -320,9 +320,9 @@ def _offset(station: float, speed: float, cg: float) -> float:
     return float(np.abs(run.y[5]).max())
 
 
-def test_the_displacement_is_simulated_and_cannot_be_less(brott: gl.Aircraft) -> None:
-    envelope = gl.Envelope(speed=["60 km/h", "110 km/h"])
-    found = gl.place_gear(brott, envelope, gl.Limits(), "displacement")
+def test_the_displacement_is_simulated_and_cannot_be_less(brott: gr.Aircraft) -> None:
+    envelope = gr.Envelope(speed=["60 km/h", "110 km/h"])
+    found = gr.place_gear(brott, envelope, gr.Limits(), "displacement")
 
     def worst(station: float) -> float:
         ends = itertools.product((60 / 3.6, 110 / 3.6), (FORWARD, AFT))
@@ -336,10 +336,10 @@ def test_the_displacement_is_simulated_and_cannot_be_less(brott: gl.Aircraft) ->
 
 
 # --- Conflicts ----------------------------------------------------------------------------------
-def test_a_conflict_is_told_with_what_each_limit_would_have_to_give(physical: gl.Aircraft) -> None:
-    limits = gl.Limits.textbook("tricycle")
-    with pytest.raises(gl.InfeasibleError) as caught:
-        gl.place_gear(physical, ENVELOPE, limits, layout="tricycle")
+def test_a_conflict_is_told_with_what_each_limit_would_have_to_give(physical: gr.Aircraft) -> None:
+    limits = gr.Limits.textbook("tricycle")
+    with pytest.raises(gr.InfeasibleError) as caught:
+        gr.place_gear(physical, ENVELOPE, limits, layout="tricycle")
     alone = {str(c.bound): c.alone for c in caught.value.conflicts}
 
     def nose_load(station: float, cg: float) -> float:
@@ -360,27 +360,27 @@ def test_a_conflict_is_told_with_what_each_limit_would_have_to_give(physical: gl
     assert for_load <= caught.value.nearest["x_main"] <= for_angle + 1e-6
 
 
-def test_a_free_tail_wheel_that_is_never_stable(brott: gl.Aircraft) -> None:
-    limits = gl.Limits(nose_over=("16 deg", "25 deg"))
-    with pytest.raises(gl.InfeasibleError, match="decay_rate at least") as caught:
-        gl.place_gear(brott, ENVELOPE, limits, tail_wheel="free")
+def test_a_free_tail_wheel_that_is_never_stable(brott: gr.Aircraft) -> None:
+    limits = gr.Limits(nose_over=("16 deg", "25 deg"))
+    with pytest.raises(gr.InfeasibleError, match="decay_rate at least") as caught:
+        gr.place_gear(brott, ENVELOPE, limits, tail_wheel="free")
     (stability,) = (c for c in caught.value.conflicts if c.bound.limit == "decay_rate")
     rear = FORWARD - HEIGHT * np.tan(np.radians(16))
     assert stability.alone == pytest.approx(-decay(rear, following=False, tail_wheel=0.0), abs=1e-4)
 
 
-def test_an_unstable_best_is_returned_when_asked_for(brott: gl.Aircraft) -> None:
-    limits = gl.Limits(decay_rate=None, nose_over=("16 deg", None))
-    found = gl.place_gear(brott, ENVELOPE, limits, tail_wheel="free")
+def test_an_unstable_best_is_returned_when_asked_for(brott: gr.Aircraft) -> None:
+    limits = gr.Limits(decay_rate=None, nose_over=("16 deg", None))
+    found = gr.place_gear(brott, ENVELOPE, limits, tail_wheel="free")
     assert found.value < 0
     assert any("unstable" in note for note in found.notes)
 
 
-def test_a_gear_at_the_cg_with_nothing_behind_it_is_named(brott: gl.Aircraft) -> None:
+def test_a_gear_at_the_cg_with_nothing_behind_it_is_named(brott: gr.Aircraft) -> None:
     alone = brott.replace(Ap=0, Ct=0, x_forward=None, x_aft=None)
-    found = gl.place_gear(
+    found = gr.place_gear(
         alone,
-        gl.Envelope(speed=25.0),
+        gr.Envelope(speed=25.0),
         variables={"main_gear_station": (15.2 * INCH, 16 * INCH)},
         layout="taildragger",
     )
@@ -464,8 +464,8 @@ def test_equal_cornering_coefficients_cancel_at_any_station(
 
 
 def test_the_search_finds_a_minimum_between_grid_points() -> None:
-    plane = gl.Aircraft.load("brott")
-    axes = gl.Envelope(speed=(10.0, 30.0), cg=(0.3, 0.5)).axes(plane)
+    plane = gr.Aircraft.load("brott")
+    axes = gr.Envelope(speed=(10.0, 30.0), cg=(0.3, 0.5)).axes(plane)
 
     def bowl(points: Any) -> Array:
         return ((points["u"] - 17.1234) ** 2 + 40 * (points["x_cg"] - 0.4321) ** 2)[None]
@@ -476,8 +476,8 @@ def test_the_search_finds_a_minimum_between_grid_points() -> None:
 
 
 # --- What comes out -----------------------------------------------------------------------------
-def test_json_and_repr_tell_the_whole_story(physical: gl.Aircraft) -> None:
-    found = gl.place_gear(physical, ENVELOPE, gl.Limits.textbook("taildragger"))
+def test_json_and_repr_tell_the_whole_story(physical: gr.Aircraft) -> None:
+    found = gr.place_gear(physical, ENVELOPE, gr.Limits.textbook("taildragger"))
     data = json.loads(found.to_json())
     assert data["design"]["main_gear_station"] == found.station
     assert data["placement"]["decay_rate"]["value"] == found.value
@@ -497,10 +497,10 @@ def test_json_and_repr_tell_the_whole_story(physical: gl.Aircraft) -> None:
         assert words in text
 
 
-def test_pictures_carry_units_and_both_places(physical: gl.Aircraft) -> None:
+def test_pictures_carry_units_and_both_places(physical: gr.Aircraft) -> None:
     from matplotlib import pyplot
 
-    found = gl.place_gear(physical, ENVELOPE, gl.Limits.textbook("taildragger"))
+    found = gr.place_gear(physical, ENVELOPE, gr.Limits.textbook("taildragger"))
     figure = found.plot()
     above, below = figure.axes
     assert above.get_xlabel() == "main gear station behind the datum (mm)"
@@ -516,11 +516,11 @@ def test_pictures_carry_units_and_both_places(physical: gl.Aircraft) -> None:
     pyplot.close(figure)
 
 
-def test_the_front_gives_up_margin_for_angle(physical: gl.Aircraft) -> None:
+def test_the_front_gives_up_margin_for_angle(physical: gr.Aircraft) -> None:
     from matplotlib import pyplot
 
-    envelope = gl.Envelope(speed=("20 km/h", "110 km/h"), tail_load=0.5)
-    found = gl.place_gear(physical, envelope, gl.Limits(nose_over=(None, "25 deg")))
+    envelope = gr.Envelope(speed=("20 km/h", "110 km/h"), tail_load=0.5)
+    found = gr.place_gear(physical, envelope, gr.Limits(nose_over=(None, "25 deg")))
     front = found.pareto("nose_over", 5)
     assert (np.diff(front.margin) <= 1e-9).all()
     assert (np.diff(front.other) > 0).all()
@@ -534,9 +534,9 @@ def test_the_front_gives_up_margin_for_angle(physical: gl.Aircraft) -> None:
     pyplot.close(figure)
 
 
-def test_a_front_without_a_choice_is_one_point(physical: gl.Aircraft) -> None:
+def test_a_front_without_a_choice_is_one_point(physical: gr.Aircraft) -> None:
     """With all the static load on the tail wheel the better margin is at the greater angle."""
-    found = gl.place_gear(physical, ENVELOPE, gl.Limits(nose_over=(None, "25 deg")))
+    found = gr.place_gear(physical, ENVELOPE, gr.Limits(nose_over=(None, "25 deg")))
     assert found.pareto("nose_over", 5).stations == pytest.approx([found.station], abs=1e-6)
 
 
@@ -544,7 +544,7 @@ def test_sources_name_whose_rules_they_are() -> None:
     rules = {
         b.limit
         for layout in ("taildragger", "tricycle")
-        for b in gl.Limits.textbook(layout).bounds(layout)
+        for b in gr.Limits.textbook(layout).bounds(layout)
         if b.limit not in ("decay_rate", "tail_wheel_load")
     }
     assert rules == set(SOURCES)
@@ -572,8 +572,8 @@ BAD_ENVELOPES: dict[str, tuple[dict[str, Any], str]] = {
 @pytest.mark.parametrize("name", BAD_ENVELOPES)
 def test_bad_envelopes_are_named(name: str) -> None:
     fields, message = BAD_ENVELOPES[name]
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.Envelope(**fields)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.Envelope(**fields)
 
 
 BAD_LIMITS: dict[str, tuple[dict[str, Any], str]] = {
@@ -592,8 +592,8 @@ BAD_LIMITS: dict[str, tuple[dict[str, Any], str]] = {
 @pytest.mark.parametrize("name", BAD_LIMITS)
 def test_bad_limits_are_named(name: str) -> None:
     fields, message = BAD_LIMITS[name]
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.Limits(**fields)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.Limits(**fields)
 
 
 Bad = tuple[dict[str, Any], dict[str, Any], str]
@@ -621,10 +621,10 @@ BAD_CALLS: dict[str, Bad] = {
     ),
     "limit of the other layout": (
         {},
-        {"limits": gl.Limits(tip_back=("15 deg", None))},
+        {"limits": gr.Limits(tip_back=("15 deg", None))},
         "Limits.tip_back means nothing for a taildragger",
     ),
-    "no height": ({"h_cg": None}, {"limits": gl.Limits(nose_over=(0.3, None))}, "cg_height"),
+    "no height": ({"h_cg": None}, {"limits": gr.Limits(nose_over=(0.3, None))}, "cg_height"),
     "no nose wheel": (
         {"x_nose": None},
         {"layout": "tricycle"},
@@ -632,12 +632,12 @@ BAD_CALLS: dict[str, Bad] = {
     ),
     "no lift-off speed": (
         {},
-        {"envelope": gl.Envelope(speed=20.0, lift=True)},
+        {"envelope": gr.Envelope(speed=20.0, lift=True)},
         "lift_off_speed .* is not given",
     ),
     "flying": (
         {"u_lift": 25.0},
-        {"envelope": gl.Envelope(speed=(10.0, 30.0), lift=True)},
+        {"envelope": gr.Envelope(speed=(10.0, 30.0), lift=True)},
         "no weight is left on the wheels",
     ),
     "arm at odds": ({"a": -0.5}, {}, "A gear is fixed to the airframe: give its station"),
@@ -645,38 +645,38 @@ BAD_CALLS: dict[str, Bad] = {
     "array": ({"m": np.array([700.0, 800.0])}, {}, "is an array of shape"),
     "stiffness without load": (
         {"x_main": 0.3861, "x_cg": 0.386, "x_forward": None, "x_aft": None},
-        {"envelope": gl.Envelope(tail_load=(0.5, 1.0)), "layout": "taildragger"},
+        {"envelope": gr.Envelope(tail_load=(0.5, 1.0)), "layout": "taildragger"},
         "carries nothing today",
     ),
-    "no curve": ({"K1": None}, {"envelope": gl.Envelope(tail_load=(0.5, 1.0))}, "tail_wheel_K1"),
+    "no curve": ({"K1": None}, {"envelope": gr.Envelope(tail_load=(0.5, 1.0))}, "tail_wheel_K1"),
     "time": ({}, {"t": 0.0}, "t must be positive"),
 }
 
 
 @pytest.mark.parametrize("name", BAD_CALLS)
-def test_bad_calls_are_named(brott: gl.Aircraft, name: str) -> None:
+def test_bad_calls_are_named(brott: gr.Aircraft, name: str) -> None:
     changes, arguments, message = BAD_CALLS[name]
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.place_gear(brott.replace(**changes), **arguments)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.place_gear(brott.replace(**changes), **arguments)
 
 
-def test_bad_fronts_are_named(brott: gl.Aircraft) -> None:
-    found = gl.place_gear(brott, gl.Envelope(speed=25.0))
+def test_bad_fronts_are_named(brott: gr.Aircraft) -> None:
+    found = gr.place_gear(brott, gr.Envelope(speed=25.0))
     for against, points, message in (
         ("nose", 5, "unknown Pareto axis"),
         ("tip_back", 5, "means nothing for a taildragger"),
         ("nose_over", 1, "at least 2 points"),
     ):
-        with pytest.raises(gl.GroundloopError, match=message):
+        with pytest.raises(gr.GroundrollError, match=message):
             found.pareto(against, points)
 
 
 # --- The worked study ---------------------------------------------------------------------------
-def test_the_aircraft_of_a_placement_has_its_tail_wheel(brott: gl.Aircraft) -> None:
+def test_the_aircraft_of_a_placement_has_its_tail_wheel(brott: gr.Aircraft) -> None:
     scale = {"main_gear_station": (-0.2, 0.0), "tail_wheel_scale": (0.5, 1.5)}
-    found = gl.place_gear(brott, ENVELOPE, variables=scale)
+    found = gr.place_gear(brott, ENVELOPE, variables=scale)
     at = found.worst.corner
-    lin = gl.linearize(found.aircraft.replace(cg_station=at["x_cg"]), "linear", speed=at["u"])
+    lin = gr.linearize(found.aircraft.replace(cg_station=at["x_cg"]), "linear", speed=at["u"])
     assert lin.decay_rate == pytest.approx(found.value, rel=1e-12)
     assert found.aircraft["Ct"] == pytest.approx(found.design["kappa"] * brott["Ct"])
 

@@ -8,13 +8,13 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-import groundloop as gl
-from groundloop.plots import axis_label, style, time_history
+import groundroll as gr
+from groundroll.plots import axis_label, style, time_history
 
 
 @pytest.fixture(scope="module")
-def run() -> gl.Trajectory:
-    return gl.simulate(gl.Aircraft.load("brott"), v0=0.1, t=2.0, samples=21)
+def run() -> gr.Trajectory:
+    return gr.simulate(gr.Aircraft.load("brott"), v0=0.1, t=2.0, samples=21)
 
 
 def axes(count: int) -> list:
@@ -62,7 +62,7 @@ def test_one_name_may_be_a_string(run):
 
 @pytest.mark.parametrize(("count", "legend"), [(1, False), (3, True), (40, False)])
 def test_many_runs_are_told_apart_while_they_can_be(count, legend):
-    runs = gl.simulate(gl.Aircraft.load("brott"), v0=np.linspace(0.1, 0.2, count), t=0.5, samples=6)
+    runs = gr.simulate(gr.Aircraft.load("brott"), v0=np.linspace(0.1, 0.2, count), t=0.5, samples=6)
     above, below = axes(2)
     time_history(runs, ("y", "theta"), (above, below))
     assert len(above.get_lines()) == count
@@ -80,7 +80,7 @@ def test_many_runs_are_told_apart_while_they_can_be(count, legend):
     ],
 )
 def test_mistakes_are_named(run, names, count, message):
-    with pytest.raises(gl.GroundloopError, match=message):
+    with pytest.raises(gr.GroundrollError, match=message):
         time_history(run, names, axes(count))
 
 

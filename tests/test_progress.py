@@ -14,29 +14,29 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import groundloop as gl
-from groundloop import cli
-from groundloop.cli import progress
-from groundloop.progress import Count, Progress, counted
+import groundroll as gr
+from groundroll import cli
+from groundroll.cli import progress
+from groundroll.progress import Count, Progress, counted
 
-PLANE = gl.Aircraft.load("brott-physical")
-CESSNA = gl.Aircraft.load("cessna-170")
+PLANE = gr.Aircraft.load("brott-physical")
+CESSNA = gr.Aircraft.load("cessna-170")
 GRID = ("speed", np.linspace(15.0, 40.0, 201)), ("impulse", np.linspace(0.0, 3000.0, 100))
 
 #: What takes longer than a moment, and whether it knows how long.
 WORK: dict[str, tuple[Callable[..., object], bool]] = {
-    "ensemble": (lambda p: gl.ensemble(PLANE, 1.0, v0=np.ones(50), chunk=7, progress=p), True),
-    "one threshold": (lambda p: gl.survival(PLANE, progress=p), True),
-    "many": (lambda p: gl.survival(PLANE, speed=np.linspace(9.0, 40.0, 280), progress=p), True),
-    "none": (lambda p: gl.survival(PLANE.replace(Ct=0.0, a=1.0, b=3.5), progress=p), True),
-    "all": (lambda p: gl.survival(PLANE, largest=50.0, progress=p), True),
-    "basin": (lambda p: gl.basin(PLANE, *GRID, progress=p), True),
-    "place": (lambda p: gl.place_gear(CESSNA, progress=p), False),
+    "ensemble": (lambda p: gr.ensemble(PLANE, 1.0, v0=np.ones(50), chunk=7, progress=p), True),
+    "one threshold": (lambda p: gr.survival(PLANE, progress=p), True),
+    "many": (lambda p: gr.survival(PLANE, speed=np.linspace(9.0, 40.0, 280), progress=p), True),
+    "none": (lambda p: gr.survival(PLANE.replace(Ct=0.0, a=1.0, b=3.5), progress=p), True),
+    "all": (lambda p: gr.survival(PLANE, largest=50.0, progress=p), True),
+    "basin": (lambda p: gr.basin(PLANE, *GRID, progress=p), True),
+    "place": (lambda p: gr.place_gear(CESSNA, progress=p), False),
     "no better damping": (
-        lambda p: gl.place_gear(CESSNA, None, None, "damping_ratio", progress=p),
+        lambda p: gr.place_gear(CESSNA, None, None, "damping_ratio", progress=p),
         False,
     ),
-    "front": (lambda p: gl.place_gear(CESSNA).pareto("wheelbase", 3, p), True),
+    "front": (lambda p: gr.place_gear(CESSNA).pareto("wheelbase", 3, p), True),
 }
 
 
@@ -57,9 +57,9 @@ def test_progress_never_goes_back_and_ends_once(name: str):
 
 def test_what_cannot_be_met_is_counted_too():
     seen: list[object] = []
-    limits = gl.Limits(nose_over=("60 deg", "70 deg"), tail_wheel_load=(0.3, 0.4))
-    with pytest.raises(gl.InfeasibleError):
-        gl.place_gear(CESSNA, limits=limits, progress=lambda *told: seen.append(told))
+    limits = gr.Limits(nose_over=("60 deg", "70 deg"), tail_wheel_load=(0.3, 0.4))
+    with pytest.raises(gr.InfeasibleError):
+        gr.place_gear(CESSNA, limits=limits, progress=lambda *told: seen.append(told))
     assert len(seen) > 10
     assert seen[-1] == (len(seen), None)  # it was not done
 
@@ -156,14 +156,14 @@ def test_an_interrupted_bar_leaves_nothing_behind():
 
 def test_what_is_quick_shows_nothing():
     with on_terminal(moment=3600.0) as terminal:
-        gl.survival(PLANE, progress=True)
+        gr.survival(PLANE, progress=True)
     assert terminal.getvalue() == ""
 
 
 @pytest.mark.parametrize("progress", [True, False, None])
 def test_elsewhere_nothing_is_written(capsys: pytest.CaptureFixture[str], progress: Progress):
-    gl.survival(PLANE, progress=progress)
-    gl.place_gear(CESSNA, progress=progress)
+    gr.survival(PLANE, progress=progress)
+    gr.place_gear(CESSNA, progress=progress)
     assert capsys.readouterr() == ("", "")
 
 
@@ -194,7 +194,7 @@ def test_an_interruption_leaves_no_trace(
     where = [] if name == "basin" else ["--out", "out"]
     assert cli.main([*SLOW[name].split(), *where]) == 130
     out, err = capsys.readouterr()
-    assert err.strip() == "groundloop: interrupted"
+    assert err.strip() == "groundroll: interrupted"
     assert (out != "") == (name == "basin")  # the table was done before the picture
     assert list(tmp_path.iterdir()) == []
 
@@ -209,7 +209,7 @@ def test_the_solver_does_not_take_ctrl_c_for_a_bad_start(capfd: pytest.CaptureFi
     before = signal.signal(signal.SIGALRM, signal.default_int_handler)
     try:
         with pytest.raises(KeyboardInterrupt):
-            gl.place_gear(CESSNA, objective="displacement", progress=press)
+            gr.place_gear(CESSNA, objective="displacement", progress=press)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
@@ -269,6 +269,6 @@ def test_an_interruption_that_became_another_error_is_one():
 def test_work_in_a_thread_leaves_signals_alone():
     before = signal.getsignal(signal.SIGINT)
     with ThreadPoolExecutor(1) as executor:
-        found = executor.submit(gl.survival, PLANE, progress=True).result()
+        found = executor.submit(gr.survival, PLANE, progress=True).result()
     assert found.impulse > 0
     assert signal.getsignal(signal.SIGINT) is before

@@ -16,52 +16,52 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-import groundloop as gl
-from groundloop import records
-from groundloop.generated.names import DIGEST
-from groundloop.results import KINDS
+import groundroll as gr
+from groundroll import records
+from groundroll.generated.names import DIGEST
+from groundroll.results import KINDS
 
 
 @pytest.fixture(scope="module")
-def plane() -> gl.Aircraft:
+def plane() -> gr.Aircraft:
     return PLANE
 
 
 @pytest.fixture(scope="module")
-def run(plane: gl.Aircraft) -> gl.Trajectory:
-    return gl.simulate(plane, v0=0.1, disturbance=30.0, t=1.0, samples=11)
+def run(plane: gr.Aircraft) -> gr.Trajectory:
+    return gr.simulate(plane, v0=0.1, disturbance=30.0, t=1.0, samples=11)
 
 
 @pytest.fixture(scope="module")
-def many(plane: gl.Aircraft) -> gl.Trajectory:
+def many(plane: gr.Aircraft) -> gr.Trajectory:
     varied = plane.replace(a=np.array([0.2, 0.4, 0.6]), speed=np.array([[20.0], [30.0]]))
-    return gl.simulate(varied, "linear", v0=0.1, t=1.0, samples=11)
+    return gr.simulate(varied, "linear", v0=0.1, t=1.0, samples=11)
 
 
-PLANE = gl.Aircraft.load("brott-physical")
+PLANE = gr.Aircraft.load("brott-physical")
 SPEEDS, ARMS = np.array([[20.0], [30.0]]), np.array([0.2, 0.4, 0.6])
 SEVERAL = PLANE.replace(a=ARMS, speed=SPEEDS)
 SAMPLED = {"at": [0.5, 1.0], "extremes": ["F_main"], "limits": {"psi": 0.01}}
-POINTS = gl.OperatingPoint(v=np.array([0.1, 0.2, 0.3]))
+POINTS = gr.OperatingPoint(v=np.array([0.1, 0.2, 0.3]))
 
 #: One of each kind, and some that differ in what varies.
-MADE: dict[str, Callable[[], gl.Result]] = {
-    "run": lambda: gl.simulate(PLANE, v0=0.1, disturbance=30.0, t=1.0, samples=11),
-    "runs": lambda: gl.simulate(SEVERAL, "linear", v0=0.1, disturbance=SPEEDS + ARMS, t=1.0),
-    "point": lambda: gl.linearize(PLANE, at=gl.OperatingPoint(v=0.3)),
-    "points": lambda: gl.linearize(SEVERAL, at=POINTS, disturbance=20.0),
-    "ensemble": lambda: gl.ensemble(SEVERAL, t=1.0, v0=0.2, within={"psi": 1e-3}),
-    "samples": lambda: gl.ensemble(PLANE, t=1.0, v0=SPEEDS / 50, psi0=ARMS / 50, **SAMPLED),
-    "trajectory": lambda: gl.ensemble(PLANE, t=1.0, r0=0.1),
-    "sweep": lambda: gl.sweep(SEVERAL, ["decay_rate", "lower_critical_speed"]),
-    "map": lambda: gl.stability_map(PLANE, ("u", SPEEDS[:, 0]), ("a", ARMS), "static_margin"),
-    "survival": lambda: gl.survival(SEVERAL, half_width=7.0),
-    "threshold": lambda: gl.survival(PLANE, station=-3.0),
-    "basin": lambda: gl.basin(PLANE, ("u", SPEEDS[:, 0]), ("impulse", [0, 9e3]), station=-3.0),
-    "starts": lambda: gl.basin(PLANE, ("v0", [0.0, 5.0, 9.0]), ("r0", [0.0, 0.5])),
-    "trim": lambda: gl.trim(PLANE, disturbance=300.0),
-    "trims": lambda: gl.trim(SEVERAL, "linear", disturbance=SPEEDS),
-    "no equilibrium": lambda: gl.trim(PLANE, disturbance=9e4),
+MADE: dict[str, Callable[[], gr.Result]] = {
+    "run": lambda: gr.simulate(PLANE, v0=0.1, disturbance=30.0, t=1.0, samples=11),
+    "runs": lambda: gr.simulate(SEVERAL, "linear", v0=0.1, disturbance=SPEEDS + ARMS, t=1.0),
+    "point": lambda: gr.linearize(PLANE, at=gr.OperatingPoint(v=0.3)),
+    "points": lambda: gr.linearize(SEVERAL, at=POINTS, disturbance=20.0),
+    "ensemble": lambda: gr.ensemble(SEVERAL, t=1.0, v0=0.2, within={"psi": 1e-3}),
+    "samples": lambda: gr.ensemble(PLANE, t=1.0, v0=SPEEDS / 50, psi0=ARMS / 50, **SAMPLED),
+    "trajectory": lambda: gr.ensemble(PLANE, t=1.0, r0=0.1),
+    "sweep": lambda: gr.sweep(SEVERAL, ["decay_rate", "lower_critical_speed"]),
+    "map": lambda: gr.stability_map(PLANE, ("u", SPEEDS[:, 0]), ("a", ARMS), "static_margin"),
+    "survival": lambda: gr.survival(SEVERAL, half_width=7.0),
+    "threshold": lambda: gr.survival(PLANE, station=-3.0),
+    "basin": lambda: gr.basin(PLANE, ("u", SPEEDS[:, 0]), ("impulse", [0, 9e3]), station=-3.0),
+    "starts": lambda: gr.basin(PLANE, ("v0", [0.0, 5.0, 9.0]), ("r0", [0.0, 0.5])),
+    "trim": lambda: gr.trim(PLANE, disturbance=300.0),
+    "trims": lambda: gr.trim(SEVERAL, "linear", disturbance=SPEEDS),
+    "no equilibrium": lambda: gr.trim(PLANE, disturbance=9e4),
 }
 
 
@@ -97,35 +97,35 @@ def test_what_is_kept_comes_back_as_it_was(name: str, suffix: str, tmp_path: Pat
     assert repr(back) == repr(result)
     assert list(back.to_xarray()) == list(result.to_xarray())
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
-    assert_same(gl.Result.load(path), result)
+    assert_same(gr.Result.load(path), result)
 
 
 def test_every_kind_of_result_can_be_kept() -> None:
     made = {type(kept(name)).__name__ for name in MADE}
     assert made == {name for _, name in KINDS.values()}
-    assert made == {kind.__name__ for kind in gl.Result.__subclasses__()}
+    assert made == {kind.__name__ for kind in gr.Result.__subclasses__()}
 
 
 def test_what_comes_back_works(tmp_path: Path) -> None:
     points, chart = kept("points"), kept("map")
-    again = gl.Linearization.load(points.save(tmp_path / "points.nc"))
+    again = gr.Linearization.load(points.save(tmp_path / "points.nc"))
     assert np.array_equal(again[1, 2].A, points.A[1, 2])
-    map_again = gl.StabilityMap.load(chart.save(tmp_path / "map.npz"))
+    map_again = gr.StabilityMap.load(chart.save(tmp_path / "map.npz"))
     assert np.array_equal(map_again.boundary["trace"], chart.boundary["trace"])
     assert map_again.fits(kept("run").aircraft.replace(a=0.3, speed=20.0))
 
 
 def test_another_kind_is_named(tmp_path: Path) -> None:
     path = kept("point").save(tmp_path / "lin.npz")
-    with pytest.raises(gl.GroundloopError, match="holds a Linearization, not a Trajectory"):
-        gl.Trajectory.load(path)
+    with pytest.raises(gr.GroundrollError, match="holds a Linearization, not a Trajectory"):
+        gr.Trajectory.load(path)
 
 
 @pytest.mark.parametrize("suffix", [".npz", ".nc"])
-def test_a_gust_comes_back_as_its_samples(plane: gl.Aircraft, suffix: str, tmp_path: Path) -> None:
-    gust = gl.gusts.one_minus_cosine(100.0, 0.2, 0.5)
-    run = gl.simulate(plane, disturbance=gust, t=1.0)
-    back = gl.Trajectory.load(run.save(tmp_path / f"gust{suffix}"))
+def test_a_gust_comes_back_as_its_samples(plane: gr.Aircraft, suffix: str, tmp_path: Path) -> None:
+    gust = gr.gusts.one_minus_cosine(100.0, 0.2, 0.5)
+    run = gr.simulate(plane, disturbance=gust, t=1.0)
+    back = gr.Trajectory.load(run.save(tmp_path / f"gust{suffix}"))
     assert back.gust is not None
     assert back.gust.label == f"{gust.label} (its samples)"
     assert back.gust(run.t) == pytest.approx(gust(run.t), abs=1e-12)
@@ -134,14 +134,14 @@ def test_a_gust_comes_back_as_its_samples(plane: gl.Aircraft, suffix: str, tmp_p
 
 
 @pytest.mark.parametrize("suffix", [".npz", ".nc"])
-def test_a_record_says_where_it_comes_from(run: gl.Trajectory, suffix: str, tmp_path: Path) -> None:
+def test_a_record_says_where_it_comes_from(run: gr.Trajectory, suffix: str, tmp_path: Path) -> None:
     record = records.read(run.save(tmp_path / f"run{suffix}"))
     assert record.provenance["equations"] == DIGEST
-    assert {"groundloop", "casadi", "numpy"} < record.provenance.keys()
+    assert {"groundroll", "casadi", "numpy"} < record.provenance.keys()
     assert record.aircraft.sources == run.aircraft.sources
 
 
-def test_others_can_read_the_files(run: gl.Trajectory, tmp_path: Path) -> None:
+def test_others_can_read_the_files(run: gr.Trajectory, tmp_path: Path) -> None:
     with np.load(run.save(tmp_path / "run.npz")) as plain:
         assert np.array_equal(plain["v"], run["v"])
         assert json.loads(str(plain["record"]))["aircraft"]["name"] == "brott-physical"
@@ -154,27 +154,27 @@ def test_others_can_read_the_files(run: gl.Trajectory, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("suffix", [".npz", ".nc"])
 def test_a_run_of_other_equations_is_refused(
-    run: gl.Trajectory, suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    run: gr.Trajectory, suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = run.save(tmp_path / f"run{suffix}")
     monkeypatch.setattr(records, "DIGEST", "0123456789abcdef")
-    with pytest.raises(gl.GroundloopError, match=rf"other equations .digest {DIGEST}.*0123"):
-        gl.Trajectory.load(path)
-    assert gl.Trajectory.load(path, other_equations=True)["v"][0] == run["v"][0]
+    with pytest.raises(gr.GroundrollError, match=rf"other equations .digest {DIGEST}.*0123"):
+        gr.Trajectory.load(path)
+    assert gr.Trajectory.load(path, other_equations=True)["v"][0] == run["v"][0]
 
 
 def test_a_record_of_another_layout_is_refused(
-    run: gl.Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    run: gr.Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = run.save(tmp_path / "run.npz")
     monkeypatch.setattr(records, "_LAYOUT", 99)
-    with pytest.raises(gl.GroundloopError, match="has the layout 2; this reads the layout 99"):
-        gl.Trajectory.load(path)
+    with pytest.raises(gr.GroundrollError, match="has the layout 2; this reads the layout 99"):
+        gr.Trajectory.load(path)
 
 
 @pytest.mark.parametrize("suffix", [".npz", ".nc"])
 def test_files_that_are_no_record_are_refused(
-    run: gl.Trajectory, suffix: str, tmp_path: Path
+    run: gr.Trajectory, suffix: str, tmp_path: Path
 ) -> None:
     good = run.save(tmp_path / f"run{suffix}").read_bytes()
     half, noise, plain = (tmp_path / f"{name}{suffix}" for name in ("half", "noise", "plain"))
@@ -185,14 +185,14 @@ def test_files_that_are_no_record_are_refused(
     else:
         xr.Dataset({"x": ("t", np.zeros(3))}).to_netcdf(plain)
     for path in (half, noise, plain):
-        with pytest.raises(gl.GroundloopError, match="no record of groundloop, or is damaged"):
-            gl.Trajectory.load(path)
-    with pytest.raises(gl.GroundloopError, match="cannot read"):
-        gl.Trajectory.load(tmp_path / f"nowhere{suffix}")
+        with pytest.raises(gr.GroundrollError, match="no record of groundroll, or is damaged"):
+            gr.Trajectory.load(path)
+    with pytest.raises(gr.GroundrollError, match="cannot read"):
+        gr.Trajectory.load(tmp_path / f"nowhere{suffix}")
 
 
 @pytest.mark.parametrize("suffix", [".npz", ".nc"])
-def test_a_flipped_bit_is_noticed(run: gl.Trajectory, suffix: str, tmp_path: Path) -> None:
+def test_a_flipped_bit_is_noticed(run: gr.Trajectory, suffix: str, tmp_path: Path) -> None:
     path = run.save(tmp_path / f"run{suffix}")
     good = path.read_bytes()
     if suffix == ".npz":
@@ -207,19 +207,19 @@ def test_a_flipped_bit_is_noticed(run: gl.Trajectory, suffix: str, tmp_path: Pat
         data = bytearray(good)
         data[place] ^= 1
         path.write_bytes(data)
-        with pytest.raises(gl.GroundloopError, match="damaged"):
-            gl.Trajectory.load(path)
+        with pytest.raises(gr.GroundrollError, match="damaged"):
+            gr.Trajectory.load(path)
 
 
-def test_where_a_record_cannot_go(run: gl.Trajectory, tmp_path: Path) -> None:
-    with pytest.raises(gl.GroundloopError, match=r"must end in \.npz or in \.nc"):
+def test_where_a_record_cannot_go(run: gr.Trajectory, tmp_path: Path) -> None:
+    with pytest.raises(gr.GroundrollError, match=r"must end in \.npz or in \.nc"):
         run.save(tmp_path / "run.csv")
     for suffix in (".npz", ".nc"):
-        with pytest.raises(gl.GroundloopError, match="cannot write"):
+        with pytest.raises(gr.GroundrollError, match="cannot write"):
             run.save(tmp_path / "nowhere" / f"run{suffix}")
 
 
-def test_a_run_in_xarray(many: gl.Trajectory) -> None:
+def test_a_run_in_xarray(many: gr.Trajectory) -> None:
     data = many.to_xarray()
     assert isinstance(data, xr.Dataset)
     assert data.sizes == {"run_0": 2, "run_1": 3, "t": 11}
@@ -231,7 +231,7 @@ def test_a_run_in_xarray(many: gl.Trajectory) -> None:
     assert data.attrs["equations"] == DIGEST
 
 
-def test_a_run_in_pandas(run: gl.Trajectory, many: gl.Trajectory) -> None:
+def test_a_run_in_pandas(run: gr.Trajectory, many: gr.Trajectory) -> None:
     frame = run.to_pandas()
     assert isinstance(frame, pd.DataFrame)
     assert frame.index.name == "t"
@@ -242,8 +242,8 @@ def test_a_run_in_pandas(run: gl.Trajectory, many: gl.Trajectory) -> None:
     assert np.array_equal(several.loc[(1, 2), "v"], many["v"][1, 2])
 
 
-def test_a_linearization_in_tables(plane: gl.Aircraft) -> None:
-    lin = gl.linearize(plane.replace(a=np.array([0.2, 0.6])))
+def test_a_linearization_in_tables(plane: gr.Aircraft) -> None:
+    lin = gr.linearize(plane.replace(a=np.array([0.2, 0.6])))
     data = lin.to_xarray()
     assert data["A"].sel(state_rate="r", state="v").values == pytest.approx(lin.A[:, 1, 0], abs=0)
     assert data["eigenvalues"].dims == ("run", "mode")
@@ -251,14 +251,14 @@ def test_a_linearization_in_tables(plane: gl.Aircraft) -> None:
     frame = lin.to_pandas()
     assert frame["a"].tolist() == [0.2, 0.6]
     assert np.array_equal(frame["eigenvalue_1"], lin.eigenvalues[:, 0])
-    single = gl.linearize(plane).to_pandas()
+    single = gr.linearize(plane).to_pandas()
     assert len(single) == 1
-    assert single["decay_rate"][0] == gl.linearize(plane).decay_rate
+    assert single["decay_rate"][0] == gr.linearize(plane).decay_rate
 
 
-def test_an_ensemble_and_a_sweep_in_tables(plane: gl.Aircraft) -> None:
+def test_an_ensemble_and_a_sweep_in_tables(plane: gr.Aircraft) -> None:
     arms, kicks = np.array([[0.2], [0.6]]), np.array([0.1, 0.2, 0.4])
-    many = gl.ensemble(plane, t=1.0, at=[0.5, 1.0], a=arms, v0=kicks, extremes=["alpha"])
+    many = gr.ensemble(plane, t=1.0, at=[0.5, 1.0], a=arms, v0=kicks, extremes=["alpha"])
     data = many.to_xarray()
     assert data["v"].dims == ("run_0", "run_1", "t")
     assert np.array_equal(data["v"], many["v"])
@@ -268,7 +268,7 @@ def test_an_ensemble_and_a_sweep_in_tables(plane: gl.Aircraft) -> None:
     frame = many.to_pandas()
     assert len(frame) == 6
     assert np.array_equal(frame["final_v"], many.final["v"].ravel())
-    points = gl.sweep(plane, ["decay_rate"], speed=np.linspace(10.0, 40.0, 5))
+    points = gr.sweep(plane, ["decay_rate"], speed=np.linspace(10.0, 40.0, 5))
     assert points.to_pandas()["decay_rate"].tolist() == points["decay_rate"].tolist()
     table = points.to_xarray()
     assert np.array_equal(table["decay_rate"], points["decay_rate"])
@@ -295,7 +295,7 @@ def test_a_survival_and_a_trim_in_tables() -> None:
     frame = survival.to_pandas()
     assert frame["u"].tolist() == [20.0] * 3 + [30.0] * 3
     assert np.array_equal(frame["impulse"], survival.impulse.ravel())
-    assert frame["fate"].tolist() == [gl.Survival.FATES[k] for k in survival.fate.flat]
+    assert frame["fate"].tolist() == [gr.Survival.FATES[k] for k in survival.fate.flat]
     assert frame.attrs["units"]["impulse"] == "N s"
     assert frame.attrs["half_width"] == 7.0
     data = trims.to_xarray()
@@ -307,7 +307,7 @@ def test_a_survival_and_a_trim_in_tables() -> None:
 
 @pytest.mark.parametrize("package", ["xarray", "pandas"])
 def test_a_missing_extra_is_named(
-    run: gl.Trajectory, package: str, monkeypatch: pytest.MonkeyPatch
+    run: gr.Trajectory, package: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     real = importlib.import_module
 
@@ -317,5 +317,5 @@ def test_a_missing_extra_is_named(
         return real(name, *rest)
 
     monkeypatch.setattr(importlib, "import_module", without)
-    with pytest.raises(gl.GroundloopError, match=rf"pip install 'groundloop\[{package}\]'"):
+    with pytest.raises(gr.GroundrollError, match=rf"pip install 'groundroll\[{package}\]'"):
         getattr(run, f"to_{package}")()

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-import groundloop
-from groundloop import derive, generated
+import groundroll
+from groundroll import derive, generated
 
 ROOMS = {
-    "groundloop.derive": Path(derive.__file__).parent,
-    "groundloop.generated": Path(generated.__file__).parent,
-    "groundloop": Path(groundloop.__file__).parent,
+    "groundroll.derive": Path(derive.__file__).parent,
+    "groundroll.generated": Path(generated.__file__).parent,
+    "groundroll": Path(groundroll.__file__).parent,
 }
 
 
@@ -30,7 +30,7 @@ def sources(room: str) -> dict[str, Path]:
 
 
 MODULES = {name: path for room in ROOMS for name, path in sources(room).items()}
-RUNTIME = sources("groundloop")
+RUNTIME = sources("groundroll")
 
 
 def imports(module: str) -> Iterator[str]:
@@ -57,28 +57,28 @@ def importing(modules: dict[str, Path], *forbidden: str) -> list[str]:
 
 
 def test_every_room_has_modules():
-    assert {"groundloop.derive.kinematics", "groundloop.generated.nonlinear"} < MODULES.keys()
-    assert "groundloop.simulation" in RUNTIME
+    assert {"groundroll.derive.kinematics", "groundroll.generated.nonlinear"} < MODULES.keys()
+    assert "groundroll.simulation" in RUNTIME
     assert not any(
-        name.startswith(("groundloop.derive", "groundloop.generated")) for name in RUNTIME
+        name.startswith(("groundroll.derive", "groundroll.generated")) for name in RUNTIME
     )
 
 
 def test_derive_never_imports_runtime():
-    assert importing(sources("groundloop.derive"), *RUNTIME.keys() - {"groundloop"}) == []
+    assert importing(sources("groundroll.derive"), *RUNTIME.keys() - {"groundroll"}) == []
 
 
 def test_runtime_never_imports_derive_or_sympy():
-    assert importing(RUNTIME, "sympy", "groundloop.derive") == []
+    assert importing(RUNTIME, "sympy", "groundroll.derive") == []
 
 
 def test_generated_imports_only_casadi_numpy_and_the_standard_library():
     allowed = {"casadi", "numpy", *sys.stdlib_module_names}
     strangers = [
         f"{module} imports {name}"
-        for module in sources("groundloop.generated")
+        for module in sources("groundroll.generated")
         for name in imports(module)
-        if name.split(".")[0] not in allowed and not name.startswith("groundloop.generated")
+        if name.split(".")[0] not in allowed and not name.startswith("groundroll.generated")
     ]
     assert strangers == []
 
@@ -86,29 +86,29 @@ def test_generated_imports_only_casadi_numpy_and_the_standard_library():
 def test_a_forbidden_import_would_be_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     path = tmp_path / "intruder.py"
     path.write_text("def f():\n    from .derive import units\n    import sympy.physics as p\n")
-    monkeypatch.setitem(MODULES, "groundloop.intruder", path)
-    seen = importing({"groundloop.intruder": path}, "sympy", "groundloop.derive")
+    monkeypatch.setitem(MODULES, "groundroll.intruder", path)
+    seen = importing({"groundroll.intruder": path}, "sympy", "groundroll.derive")
     assert seen == [
-        "groundloop.intruder imports groundloop.derive.units",
-        "groundloop.intruder imports sympy.physics",
+        "groundroll.intruder imports groundroll.derive.units",
+        "groundroll.intruder imports sympy.physics",
     ]
 
 
 def loaded_after(statement: str) -> set[str]:
-    """Top-level names and groundloop's subpackages in a fresh interpreter's `sys.modules`."""
+    """Top-level names and groundroll's subpackages in a fresh interpreter's `sys.modules`."""
     script = f"{statement}\nimport sys\nprint(*sys.modules)"
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     return set(run.stdout.split())
 
 
-def test_import_groundloop_loads_nothing_heavy():
-    loaded = loaded_after("import groundloop")
-    assert "groundloop" in loaded
-    assert not loaded & {"sympy", "groundloop.derive", "matplotlib", "pydantic"}
+def test_import_groundroll_loads_nothing_heavy():
+    loaded = loaded_after("import groundroll")
+    assert "groundroll" in loaded
+    assert not loaded & {"sympy", "groundroll.derive", "matplotlib", "pydantic"}
 
 
 def test_nothing_in_runtime_or_generated_loads_sympy():
-    names = [n for n in chain(RUNTIME, sources("groundloop.generated")) if "__main__" not in n]
+    names = [n for n in chain(RUNTIME, sources("groundroll.generated")) if "__main__" not in n]
     loaded = loaded_after(f"import importlib\nfor n in {names}: importlib.import_module(n)")
     assert set(names) <= loaded
     assert not [name for name in loaded if name.split(".")[0] == "sympy" or ".derive" in name]

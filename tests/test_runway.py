@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch, Rectangle
 from PIL import Image
 
-import groundloop as gl
+import groundroll as gr
 
 mpl.use("Agg")
 
@@ -25,9 +25,9 @@ def _close_figures() -> object:
 
 
 @pytest.fixture(scope="module")
-def loop() -> gl.Trajectory:
-    plane = gl.Aircraft.load("brott-physical").replace(speed="60 km/h", Ct=0)
-    return gl.simulate(plane, disturbance=gl.gusts.step(-400.0, end=0.8), t=2.5, samples=251)
+def loop() -> gr.Trajectory:
+    plane = gr.Aircraft.load("brott-physical").replace(speed="60 km/h", Ct=0)
+    return gr.simulate(plane, disturbance=gr.gusts.step(-400.0, end=0.8), t=2.5, samples=251)
 
 
 def airframes(axes: Axes) -> list[PathPatch]:
@@ -40,8 +40,8 @@ def on_the_ground(axes: Axes, patch: PathPatch | Rectangle) -> np.ndarray:
     return axes.transData.inverted().transform(patch.get_transform().transform(vertices))
 
 
-def test_an_aircraft_stands_at_each_interval(loop: gl.Trajectory) -> None:
-    axes = gl.runway_view(loop, every=0.5)
+def test_an_aircraft_stands_at_each_interval(loop: gr.Trajectory) -> None:
+    axes = gr.runway_view(loop, every=0.5)
     assert len(airframes(axes)) == 6
     for k, patch in enumerate(airframes(axes)):
         at = 50 * k
@@ -55,8 +55,8 @@ def test_an_aircraft_stands_at_each_interval(loop: gl.Trajectory) -> None:
         assert across.max() == pytest.approx(-across.min(), rel=1e-6)
 
 
-def test_wheels_stand_at_the_gear_and_at_the_tail(loop: gl.Trajectory) -> None:
-    axes = gl.runway_view(loop, every=10.0)
+def test_wheels_stand_at_the_gear_and_at_the_tail(loop: gr.Trajectory) -> None:
+    axes = gr.runway_view(loop, every=10.0)
     boxes = [p for p in axes.patches if isinstance(p, Rectangle) and p.get_zorder() >= 4]
     centres = [on_the_ground(axes, box)[:4].mean(axis=0) for box in boxes]
     a, b = float(loop.aircraft["a"]), float(loop.aircraft["b"])
@@ -65,44 +65,44 @@ def test_wheels_stand_at_the_gear_and_at_the_tail(loop: gl.Trajectory) -> None:
     assert centres[3] == pytest.approx([-b, 0.0], abs=1e-6)
 
 
-def test_right_is_below_and_the_scale_is_true(loop: gl.Trajectory) -> None:
-    axes = gl.runway_view(loop)
+def test_right_is_below_and_the_scale_is_true(loop: gr.Trajectory) -> None:
+    axes = gr.runway_view(loop)
     low, high = axes.get_ylim()
     assert low > high
     assert axes.get_aspect() == 1.0
     assert "(m)" in axes.get_xlabel()
     assert "(m)" in axes.get_ylabel()
-    stretched = gl.runway_view(loop, stretch=4.0)
+    stretched = gr.runway_view(loop, stretch=4.0)
     assert stretched.get_aspect() == 4.0
     assert "× 4" in stretched.get_ylabel()
 
 
-def test_the_exit_is_marked_where_the_path_crosses_the_edge(loop: gl.Trajectory) -> None:
-    axes = gl.runway_view(loop, width=12.0)
+def test_the_exit_is_marked_where_the_path_crosses_the_edge(loop: gr.Trajectory) -> None:
+    axes = gr.runway_view(loop, width=12.0)
     (cross,) = (line for line in axes.lines if line.get_marker() == "x")
     (X,), (Y,) = cross.get_data()
     assert abs(Y) == 6.0
     assert np.interp(X, loop["X"], loop["Y"]) == pytest.approx(Y, abs=1e-3)
-    assert not [t for t in gl.runway_view(loop, width=90).texts if "off the" in t.get_text()]
+    assert not [t for t in gr.runway_view(loop, width=90).texts if "off the" in t.get_text()]
 
 
-def test_several_runs_share_a_runway(loop: gl.Trajectory) -> None:
-    pair = gl.simulate(loop.aircraft.replace(a=np.array([-0.5, 0.6])), v0=0.1, t=1.0)
-    axes = gl.runway_view([loop, pair], labels=["gust", "behind", "ahead"])
+def test_several_runs_share_a_runway(loop: gr.Trajectory) -> None:
+    pair = gr.simulate(loop.aircraft.replace(a=np.array([-0.5, 0.6])), v0=0.1, t=1.0)
+    axes = gr.runway_view([loop, pair], labels=["gust", "behind", "ahead"])
     labels = [text.get_text() for text in axes.get_legend().get_texts()]
     assert labels == ["gust", "behind", "ahead", "side force on the tail, at most 400 N"]
-    own = gl.runway_view(pair).get_legend().get_texts()
+    own = gr.runway_view(pair).get_legend().get_texts()
     assert ["a = -0.5 m" in own[0].get_text(), "a = 0.6 m" in own[1].get_text()] == [True, True]
 
 
-def test_axes_of_ones_own_are_used(loop: gl.Trajectory) -> None:
+def test_axes_of_ones_own_are_used(loop: gr.Trajectory) -> None:
     figure, axes = pyplot.subplots(figsize=(5.0, 4.0))
-    assert gl.runway_view(loop, ax=axes) is axes
+    assert gr.runway_view(loop, ax=axes) is axes
     assert figure.get_size_inches().tolist() == [5.0, 4.0]
 
 
-def test_an_arrow_pushes_the_tail_the_way_of_the_force(loop: gl.Trajectory) -> None:
-    axes = gl.runway_view(loop)
+def test_an_arrow_pushes_the_tail_the_way_of_the_force(loop: gr.Trajectory) -> None:
+    axes = gr.runway_view(loop)
     arrows = [text for text in axes.texts if text.arrow_patch is not None]
     assert len(arrows) == 2  # at 0 and 0.5 s; over at 0.8 s
     tail, start = arrows[0].xy, arrows[0].xyann
@@ -110,10 +110,10 @@ def test_an_arrow_pushes_the_tail_the_way_of_the_force(loop: gl.Trajectory) -> N
     assert start[1] > 0.0  # a force to the left comes from the right, which is below
 
 
-def test_a_film_has_a_picture_for_each_moment(loop: gl.Trajectory, tmp_path: Path) -> None:
-    short = gl.simulate(loop.aircraft, v0=0.1, t=0.5, samples=11)
+def test_a_film_has_a_picture_for_each_moment(loop: gr.Trajectory, tmp_path: Path) -> None:
+    short = gr.simulate(loop.aircraft, v0=0.1, t=0.5, samples=11)
     seen: list[int] = []
-    path = gl.animate(
+    path = gr.animate(
         short,
         tmp_path / "roll.gif",
         fps=5,
@@ -129,16 +129,16 @@ def test_a_film_has_a_picture_for_each_moment(loop: gl.Trajectory, tmp_path: Pat
 
 
 @pytest.mark.skipif(not FFMpegWriter.isAvailable(), reason="ffmpeg is not there")
-def test_a_film_for_a_video_player(loop: gl.Trajectory, tmp_path: Path) -> None:
-    short = gl.simulate(loop.aircraft, v0=0.1, t=0.5, samples=11)
-    path = gl.animate(short, tmp_path / "roll.mp4", fps=5, dpi=40)
+def test_a_film_for_a_video_player(loop: gr.Trajectory, tmp_path: Path) -> None:
+    short = gr.simulate(loop.aircraft, v0=0.1, t=0.5, samples=11)
+    path = gr.animate(short, tmp_path / "roll.mp4", fps=5, dpi=40)
     assert path.read_bytes()[4:8] == b"ftyp"
 
 
 @pytest.mark.skipif(FFMpegWriter.isAvailable(), reason="ffmpeg is there")
-def test_a_film_without_ffmpeg_says_so(loop: gl.Trajectory, tmp_path: Path) -> None:
-    with pytest.raises(gl.GroundloopError, match=r"needs ffmpeg.*\.gif works"):
-        gl.animate(loop, tmp_path / "roll.mp4")
+def test_a_film_without_ffmpeg_says_so(loop: gr.Trajectory, tmp_path: Path) -> None:
+    with pytest.raises(gr.GroundrollError, match=r"needs ffmpeg.*\.gif works"):
+        gr.animate(loop, tmp_path / "roll.mp4")
 
 
 @pytest.mark.parametrize(
@@ -151,16 +151,16 @@ def test_a_film_without_ffmpeg_says_so(loop: gl.Trajectory, tmp_path: Path) -> N
     ],
 )
 def test_bad_views_are_named(
-    loop: gl.Trajectory, arguments: dict[str, object], message: str
+    loop: gr.Trajectory, arguments: dict[str, object], message: str
 ) -> None:
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.runway_view(loop, **arguments)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.runway_view(loop, **arguments)
 
 
-def test_bad_films_are_named(loop: gl.Trajectory, tmp_path: Path) -> None:
-    with pytest.raises(gl.GroundloopError, match=r"unknown suffix '.gfi'.*.gif"):
-        gl.animate(loop, tmp_path / "roll.gfi")
-    with pytest.raises(gl.GroundloopError, match="cannot write"):
-        gl.animate(loop, tmp_path / "nowhere" / "roll.gif")
-    with pytest.raises(gl.GroundloopError, match="nothing to draw"):
-        gl.runway_view([])
+def test_bad_films_are_named(loop: gr.Trajectory, tmp_path: Path) -> None:
+    with pytest.raises(gr.GroundrollError, match=r"unknown suffix '.gfi'.*.gif"):
+        gr.animate(loop, tmp_path / "roll.gfi")
+    with pytest.raises(gr.GroundrollError, match="cannot write"):
+        gr.animate(loop, tmp_path / "nowhere" / "roll.gif")
+    with pytest.raises(gr.GroundrollError, match="nothing to draw"):
+        gr.runway_view([])

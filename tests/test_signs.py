@@ -14,7 +14,7 @@ import pytest
 import sympy as sp
 from oracles import BROTT, MODELS, TRIALS, Array, lambdified, state, vector
 
-from groundloop.derive.components import (
+from groundroll.derive.components import (
     Component,
     Force,
     disturbance,
@@ -22,9 +22,9 @@ from groundloop.derive.components import (
     tail_wheel,
     vertical_tail,
 )
-from groundloop.derive.linear import linearise
-from groundloop.derive.model import Model, assemble
-from groundloop.derive.tire import F_y, linear_tire, nonlinear_tire
+from groundroll.derive.linear import linearise
+from groundroll.derive.model import Model, assemble
+from groundroll.derive.tire import F_y, linear_tire, nonlinear_tire
 
 # --- The flips ------------------------------------------------------------------------------
 

@@ -6,28 +6,28 @@ import casadi as ca
 import numpy as np
 import pytest
 
-import groundloop as gl
-from groundloop import generated
-from groundloop.generated.names import MODELS
+import groundroll as gr
+from groundroll import generated
+from groundroll.generated.names import MODELS
 
 TRICYCLE = {"cg_station": "13.6 in", "a": -0.5, "Ct": 0}
 
 
 @pytest.fixture(scope="module")
-def plane() -> gl.Aircraft:
-    return gl.Aircraft.load("brott")
+def plane() -> gr.Aircraft:
+    return gr.Aircraft.load("brott")
 
 
-def test_the_lines_of_the_readme_work(plane: gl.Aircraft) -> None:
+def test_the_lines_of_the_readme_work(plane: gr.Aircraft) -> None:
     plane = plane.replace(a=-0.5, b=3.92176)
-    run = gl.simulate(plane, tire="nonlinear", v0=0.1, t=5.0, samples=501)
+    run = gr.simulate(plane, tire="nonlinear", v0=0.1, t=5.0, samples=501)
     assert run.t.shape == run["v"].shape == run["theta"].shape == run["alpha"].shape == (501,)
-    lin = gl.linearize(plane, tire="nonlinear", at=gl.OperatingPoint(v=0.4, r=0.02))
+    lin = gr.linearize(plane, tire="nonlinear", at=gr.OperatingPoint(v=0.4, r=0.02))
     assert lin.A.shape == (2, 2)
     assert lin.B.shape == (2, 1)
     assert lin.C.shape == (len(lin.outputs), 2)
     assert lin.D.shape == (len(lin.outputs), 1)
-    F = gl.integrator(tire="nonlinear", method="rk45", t=[0.1, 0.2, 5.0])
+    F = gr.integrator(tire="nonlinear", method="rk45", t=[0.1, 0.2, 5.0])
     assert isinstance(F, ca.Function)
     assert F.name_in() == ["x0", "u", "p"]
     assert F.name_out() == ["xf"]
@@ -46,14 +46,14 @@ def with_a_second_input(name: str) -> ca.Function:
 
 
 def test_a_disturbance_is_the_first_input_and_the_others_are_zero(
-    plane: gl.Aircraft, monkeypatch: pytest.MonkeyPatch
+    plane: gr.Aircraft, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(generated, "load", with_a_second_input)
     more = MODELS["nonlinear"]._replace(inputs=("F_disturbance", "L"))
     monkeypatch.setitem(MODELS, "two_inputs", more)
-    for disturbance in (30.0, gl.gusts.one_minus_cosine(30.0, 0.1, 0.5)):
+    for disturbance in (30.0, gr.gusts.one_minus_cosine(30.0, 0.1, 0.5)):
         runs = [
-            gl.simulate(plane, tire, disturbance=disturbance, t=1.0, samples=11)
+            gr.simulate(plane, tire, disturbance=disturbance, t=1.0, samples=11)
             for tire in ("nonlinear", "two_inputs")
         ]
         for name in (*more.states, *more.outputs):
@@ -61,80 +61,80 @@ def test_a_disturbance_is_the_first_input_and_the_others_are_zero(
         assert not runs[1]["L"].any()
 
 
-def test_full_names_and_symbols_are_the_same(plane: gl.Aircraft) -> None:
-    run = gl.simulate(plane, v0=0.1, t=0.1, samples=3)
+def test_full_names_and_symbols_are_the_same(plane: gr.Aircraft) -> None:
+    run = gr.simulate(plane, v0=0.1, t=0.1, samples=3)
     assert run["yaw_rate"] is run["r"]
     assert plane["mass"] == plane["m"]
 
 
-def test_samples_are_those_of_the_integrator(plane: gl.Aircraft) -> None:
-    run = gl.simulate(plane, v0=0.1, r0=0.02, psi0=0.01, t=2.0, samples=5)
+def test_samples_are_those_of_the_integrator(plane: gr.Aircraft) -> None:
+    run = gr.simulate(plane, v0=0.1, r0=0.02, psi0=0.01, t=2.0, samples=5)
     p = plane.parameters("nonlinear")
     x0 = [0.1, 0.02, 0, 0, 0, 0, 0.01]
-    xf = np.array(gl.integrator(t=[0.5, 1.0, 1.5, 2.0])(x0, 0, p))
+    xf = np.array(gr.integrator(t=[0.5, 1.0, 1.5, 2.0])(x0, 0, p))
     states = np.array([run[s] for s in MODELS["nonlinear"].states])
     assert states[:, 0] == pytest.approx(x0, abs=0)
     assert states[:, 1:] == pytest.approx(xf, rel=1e-13, abs=1e-15)
 
 
-def test_a_grid_does_not_change_the_motion(plane: gl.Aircraft) -> None:
+def test_a_grid_does_not_change_the_motion(plane: gr.Aircraft) -> None:
     p = plane.parameters("nonlinear")
     x0 = [0.5, 0, 0, 0, 0, 0, 0]
-    coarse = np.array(gl.integrator(t=5.0)(x0, 0, p))[:, -1]
-    fine = np.array(gl.integrator(t=np.linspace(0.01, 5.0, 500))(x0, 0, p))[:, -1]
+    coarse = np.array(gr.integrator(t=5.0)(x0, 0, p))[:, -1]
+    fine = np.array(gr.integrator(t=np.linspace(0.01, 5.0, 500))(x0, 0, p))[:, -1]
     assert fine == pytest.approx(coarse, rel=1e-8, abs=1e-10)
 
 
 @pytest.mark.parametrize("tire", MODELS)
-def test_arrays_go_through(plane: gl.Aircraft, tire: str) -> None:
+def test_arrays_go_through(plane: gr.Aircraft, tire: str) -> None:
     many = plane.replace(a=np.array([-0.5, 0.0, 0.5]))
-    run = gl.simulate(many, tire, v0=np.array([[0.1], [0.2]]), t=1.0, samples=11)
+    run = gr.simulate(many, tire, v0=np.array([[0.1], [0.2]]), t=1.0, samples=11)
     assert run["v"].shape == (2, 3, 11)
-    alone = gl.simulate(plane.replace(a=0.5), tire, v0=0.2, t=1.0, samples=11)
+    alone = gr.simulate(plane.replace(a=0.5), tire, v0=0.2, t=1.0, samples=11)
     assert run["Y"][1, 2] == pytest.approx(alone["Y"], abs=0)
     assert run["alpha"][1, 2] == pytest.approx(alone["alpha"], abs=0)
 
 
-def test_speed_and_disturbance_are_those_of_the_run(plane: gl.Aircraft) -> None:
-    run = gl.simulate(plane, speed=20.0, disturbance=50.0, t=1.0, samples=3)
-    same = gl.simulate(plane.replace(speed="72 km/h"), disturbance=50.0, t=1.0, samples=3)
+def test_speed_and_disturbance_are_those_of_the_run(plane: gr.Aircraft) -> None:
+    run = gr.simulate(plane, speed=20.0, disturbance=50.0, t=1.0, samples=3)
+    same = gr.simulate(plane.replace(speed="72 km/h"), disturbance=50.0, t=1.0, samples=3)
     assert run["X"] == pytest.approx(same["X"], rel=1e-12)
     assert run["a_y"][0] == pytest.approx(50.0 / plane["m"], rel=1e-12)
 
 
-def test_one_input_column_for_each_interval(plane: gl.Aircraft) -> None:
+def test_one_input_column_for_each_interval(plane: gr.Aircraft) -> None:
     p = plane.parameters("nonlinear")
-    F = gl.integrator(t=[0.5, 1.0], piecewise=True)
-    half = gl.integrator(t=0.5)
+    F = gr.integrator(t=[0.5, 1.0], piecewise=True)
+    half = gr.integrator(t=0.5)
     middle = half(np.zeros(7), 100.0, p)
     end = half(middle, -40.0, p)
     xf = F(np.zeros(7), ca.DM([[100.0, -40.0]]), p)
     assert np.array(xf[:, 1]) == pytest.approx(np.array(end), rel=1e-9, abs=1e-12)
 
 
-def test_rk4_approaches_rk45(plane: gl.Aircraft) -> None:
+def test_rk4_approaches_rk45(plane: gr.Aircraft) -> None:
     p = plane.parameters("nonlinear")
     x0 = [0.5, 0.1, 0, 0, 0, 0, 0]
-    exact = np.array(gl.integrator(t=1.0)(x0, 0, p))
+    exact = np.array(gr.integrator(t=1.0)(x0, 0, p))
     error = [
-        np.abs(np.array(gl.integrator(method="rk4", t=1.0, step=h)(x0, 0, p)) - exact).max()
+        np.abs(np.array(gr.integrator(method="rk4", t=1.0, step=h)(x0, 0, p)) - exact).max()
         for h in (0.1, 0.05)
     ]
     assert 12 < error[0] / error[1] < 22
 
 
 @pytest.mark.parametrize("tire", MODELS)
-def test_steady_state_is_the_inverse_of_A(plane: gl.Aircraft, tire: str) -> None:
+def test_steady_state_is_the_inverse_of_A(plane: gr.Aircraft, tire: str) -> None:
     """[y, theta] = -A^-1 x0 (linear model; the non-linear one for a small start)."""
-    run = gl.simulate(plane, tire, v0=1e-6, r0=2e-7, t=1.0)
+    run = gr.simulate(plane, tire, v0=1e-6, r0=2e-7, t=1.0)
     metrics = run.metrics()
-    expected = -np.linalg.solve(gl.linearize(plane, tire).A, [1e-6, 2e-7])
+    expected = -np.linalg.solve(gr.linearize(plane, tire).A, [1e-6, 2e-7])
     assert [metrics.displacement, metrics.rotation] == pytest.approx(expected, rel=1e-6)
 
 
-def test_metrics_of_a_first_order_response(plane: gl.Aircraft) -> None:
+def test_metrics_of_a_first_order_response(plane: gr.Aircraft) -> None:
     """Main gear at the CG, no tail: y = v0 T (1 - exp(-t/T))."""
-    roll = gl.simulate(plane.replace(a=0.0, b=3.9, Ap=0.0, Ct=0.0), "linear", v0=0.1, t=1.0)
+    roll = gr.simulate(plane.replace(a=0.0, b=3.9, Ap=0.0, Ct=0.0), "linear", v0=0.1, t=1.0)
     T = float(plane["m"] * plane["u"] / (2 * plane["C_alpha"]))
     m = roll.metrics()
     assert m.displacement == pytest.approx(0.1 * T, rel=1e-8)
@@ -144,9 +144,9 @@ def test_metrics_of_a_first_order_response(plane: gl.Aircraft) -> None:
     assert m.overshoot == pytest.approx(0.0, abs=1e-9)
 
 
-def test_metrics_of_several_runs_and_of_an_unstable_one(plane: gl.Aircraft) -> None:
+def test_metrics_of_several_runs_and_of_an_unstable_one(plane: gr.Aircraft) -> None:
     pair = plane.replace(**{**TRICYCLE, "a": np.array([-0.5, 0.5])})
-    m = gl.simulate(pair, "linear", v0=0.1).metrics()
+    m = gr.simulate(pair, "linear", v0=0.1).metrics()
     assert m.displacement.shape == (2,)
     assert m.overshoot[0] == pytest.approx(2.81, abs=0.01)
     assert np.isnan([m.displacement[1], m.settling_time[1], m.overshoot[1]]).all()
@@ -166,7 +166,7 @@ def test_metrics_of_several_runs_and_of_an_unstable_one(plane: gl.Aircraft) -> N
         ({"t": [1.0, 2.0]}, "t must be a positive number"),
         ({"t": 1e9}, "calls of the integrator .* GiB"),
         (
-            {"t": 1e9, "disturbance": gl.gusts.step(1.0, start=1.0)},
+            {"t": 1e9, "disturbance": gr.gusts.step(1.0, start=1.0)},
             "calls of the integrator .* GiB",
         ),
         ({"t": 1e9, "disturbance": np.sin}, "looked at take .* GiB"),
@@ -181,9 +181,9 @@ def test_metrics_of_several_runs_and_of_an_unstable_one(plane: gl.Aircraft) -> N
         ({"v0": np.zeros(2), "r0": np.zeros(3)}, r"broadcast.*v0 \(2,\), r0 \(3,\)"),
     ],
 )
-def test_bad_input_is_named(plane: gl.Aircraft, arguments: dict[str, object], message: str) -> None:
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.simulate(plane, **arguments)
+def test_bad_input_is_named(plane: gr.Aircraft, arguments: dict[str, object], message: str) -> None:
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.simulate(plane, **arguments)
 
 
 @pytest.mark.parametrize(
@@ -197,17 +197,17 @@ def test_bad_input_is_named(plane: gl.Aircraft, arguments: dict[str, object], me
     ],
 )
 def test_bad_time_grids_are_named(t: object, message: str) -> None:
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.integrator(t=t)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.integrator(t=t)
 
 
-def test_a_run_that_leaves_the_numbers_says_so(plane: gl.Aircraft) -> None:
+def test_a_run_that_leaves_the_numbers_says_so(plane: gr.Aircraft) -> None:
     unstable = plane.replace(**{**TRICYCLE, "a": 0.5})
-    with pytest.raises(gl.GroundloopError, match="grows"):
-        gl.simulate(unstable, "linear", v0=0.1, t=1000.0, samples=11)
+    with pytest.raises(gr.GroundrollError, match="grows"):
+        gr.simulate(unstable, "linear", v0=0.1, t=1000.0, samples=11)
 
 
-def test_an_unknown_series_names_the_nearest(plane: gl.Aircraft) -> None:
-    run = gl.simulate(plane, v0=0.1, t=0.1, samples=3)
+def test_an_unknown_series_names_the_nearest(plane: gr.Aircraft) -> None:
+    run = gr.simulate(plane, v0=0.1, t=0.1, samples=3)
     with pytest.raises(KeyError, match=r"unknown state or output 'alfa'.*alpha"):
         run["alfa"]

@@ -10,26 +10,26 @@ from numpy.polynomial import chebyshev, legendre
 from oracles import MODELS, right_hand_side
 from scipy.integrate import solve_ivp
 
-import groundloop as gl
-from groundloop.derive.simd.lanes import NUMBERS
-from groundloop.generated import kernels
+import groundroll as gr
+from groundroll.derive.simd.lanes import NUMBERS
+from groundroll.generated import kernels
 
-PLANE = gl.Aircraft.load("brott-physical")
+PLANE = gr.Aircraft.load("brott-physical")
 #: Well behaved at large slip angles.
 LARGE_SLIP = {"B1": 0.7587, "C1": 1.187, "D1": 1.017, "E1": 0.387}
 TIMES = np.linspace(0.0, 5.0, 41)
 
 
 def solve(
-    plane: gl.Aircraft, start: dict[str, float], tire: str = "nonlinear", **options: object
+    plane: gr.Aircraft, start: dict[str, float], tire: str = "nonlinear", **options: object
 ) -> np.ndarray:
     """The solver's rows for named initial states."""
-    states = gl.names.signature(tire).states
+    states = gr.names.signature(tire).states
     x0 = np.array([start.get(s, 0.0) for s in states])
-    return gl.solver(tire, **options)(x0, np.zeros(1), plane.parameters(tire))
+    return gr.solver(tire, **options)(x0, np.zeros(1), plane.parameters(tire))
 
 
-def scipy(plane: gl.Aircraft, start: dict[str, float], tire: str) -> np.ndarray:
+def scipy(plane: gr.Aircraft, start: dict[str, float], tire: str) -> np.ndarray:
     """All states at `TIMES`, by SciPy from what SymPy prints."""
     states = list(map(str, MODELS[tire].states))
     f, p = right_hand_side(tire), plane.parameters(tire)
@@ -70,7 +70,7 @@ def test_it_keeps_the_tolerance_against_scipy(
     large_slip: bool,
 ):
     plane = PLANE.replace(a=a, Ct=Ct, speed=speed, **(LARGE_SLIP if large_slip else {}))
-    start, states = {"v": v, "r": r}, gl.names.signature(tire).states
+    start, states = {"v": v, "r": r}, gr.names.signature(tire).states
     exact = scipy(plane, start, tire)
     rows = solve(plane, start, tire, t=TIMES, names=states, tol=tol)
     scale = np.maximum(np.abs(exact).max(axis=1, keepdims=True), 1e-6)
@@ -81,10 +81,10 @@ def test_it_keeps_the_tolerance_against_scipy(
 @pytest.mark.parametrize("tire", ["linear", "nonlinear"])
 def test_a_solver_is_one_trajectory_of_an_ensemble(tire: str):
     names = ("v", "psi", "Y", "alpha")
-    solver = gl.solver(tire, TIMES, names=names, tol=1e-9)
+    solver = gr.solver(tire, TIMES, names=names, tol=1e-9)
     x0 = np.array([0.5, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0])
     rows = solver(x0, np.array([50.0]), PLANE.parameters(tire))
-    ens = gl.ensemble(
+    ens = gr.ensemble(
         PLANE, 5.0, tire, at=TIMES, names=names, tol=1e-9, v0=0.5, r0=0.1, disturbance=50.0
     )
     assert rows.shape == (4, TIMES.size)
@@ -112,7 +112,7 @@ def test_an_aircraft_at_rest_stays_at_rest():
 
 
 def test_calls_do_not_remember_each_other():
-    solver = gl.solver(t=TIMES)
+    solver = gr.solver(t=TIMES)
     p, u = PLANE.parameters("nonlinear"), np.zeros(1)
     starts = [np.array([v, 0.1, 0, 0, 0, 0, 0]) for v in (0.5, 6.0)]
     first = [solver(x0, u, p) for x0 in starts]
@@ -127,7 +127,7 @@ def test_what_grows_without_bound_is_said():
     """The linear taildragger's divergence passes the largest number."""
     plane = PLANE.replace(a=1.0, Ct=0.0, speed=40.0)
     t = np.linspace(0.0, 5000.0, 11)
-    solver = gl.solver("linear", t)
+    solver = gr.solver("linear", t)
     rows = solver(np.array([0.1, 0, 0, 0, 0, 0, 0.0]), np.zeros(1), plane.parameters("linear"))
     assert solver.status in ("not finite", "step limit")
     assert np.isfinite(rows[:, 0]).all()
@@ -135,7 +135,7 @@ def test_what_grows_without_bound_is_said():
 
 
 def test_not_a_number_is_not_passed_on_in_silence():
-    solver = gl.solver(t=TIMES)
+    solver = gr.solver(t=TIMES)
     x0 = np.array([np.nan, 0, 0, 0, 0, 0, 0])
     rows = solver(x0, np.zeros(1), PLANE.parameters("nonlinear"))
     assert solver.status == "not finite"
@@ -175,5 +175,5 @@ def test_the_tables_integrate_and_expand_every_polynomial(coefficients: list[flo
     ],
 )
 def test_mistakes_of_a_solver_are_named(arguments: dict[str, object], message: str):
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.solver(**arguments)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.solver(**arguments)

@@ -18,14 +18,14 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-import groundloop as gl
-from groundloop import study
-from groundloop.evaluate import elementwise
-from groundloop.generated.names import DIGEST
-from groundloop.study import cases, figures, ledger, output, report, sources
-from groundloop.study.cases import case
-from groundloop.tire_data import TireData
-from groundloop.tire_quality import compare, force_rms, normalised_rms
+import groundroll as gr
+from groundroll import study
+from groundroll.evaluate import elementwise
+from groundroll.generated.names import DIGEST
+from groundroll.study import cases, figures, ledger, output, report, sources
+from groundroll.study.cases import case
+from groundroll.tire_data import TireData
+from groundroll.tire_quality import compare, force_rms, normalised_rms
 
 FIGURES = [f"3.{k}" for k in range(3, 9)] + [f"4.{k}" for k in range(5, 43)]
 TABLES = ["3.2", *(f"4.{k}" for k in range(1, 12))]
@@ -86,7 +86,7 @@ def test_every_printed_cell_is_accounted_for(cells, key):
 
 
 def test_every_typed_cell_is_in_the_ledger(cells):
-    typed, folder = 0, resources.files("groundloop.study") / "data"
+    typed, folder = 0, resources.files("groundroll.study") / "data"
     for name, numbers in FILES.items():
         lines = [s for s in (folder / name).read_text("utf-8").splitlines() if s[0] != "#"]
         for row in csv.DictReader(lines):
@@ -200,7 +200,7 @@ def test_readings_matter():
     other = cases.Case(fraction, "nonlinear").metrics
     assert abs(float(other.displacement) - 0.0234) > 1e-4
     right_slope = case(19, "nonlinear").plane.replace(C5=-8.81055e-6)
-    m = gl.simulate(right_slope, v0=0.1).metrics()
+    m = gr.simulate(right_slope, v0=0.1).metrics()
     assert float(m.displacement) == pytest.approx(0.27414, abs=5e-6)
     assert float(np.degrees(m.rotation)) == pytest.approx(-1.2834, abs=5e-5)
 
@@ -237,7 +237,7 @@ def test_every_coverage_meets_cells(cells):
 
 def test_evidence_on_the_tire():
     data = TireData.load("goodyear-6.00-6")
-    program = gl.Aircraft.load("brott")
+    program = gr.Aircraft.load("brott")
     printed = program.replace(C5=-8.81055e-6)
     fit = cases.tire_fit()
     assert force_rms(data, printed) == pytest.approx(27, abs=0.5)  # 1
@@ -292,9 +292,9 @@ def test_evidence_on_figures_and_text():
     assert offsets == pytest.approx({5: 0.46, 17: 0.15, 19: -0.90}, abs=5e-3)  # 14
     moved = [float(case(n, "linear").metrics.displacement) for n in (5, 7)]
     fixed = case(7, "linear").plane.replace(a=-0.5 + 3.2 * 0.0254)
-    left = float(gl.simulate(fixed, "linear", v0=0.1).metrics().displacement)
+    left = float(gr.simulate(fixed, "linear", v0=0.1).metrics().displacement)
     assert [*moved, left] == pytest.approx([4.32e-3, 4.23e-3, 4.34e-3], abs=5e-6)  # 15
-    window = gl.speed_window(case(13, "linear").plane)
+    window = gr.speed_window(case(13, "linear").plane)
     assert (window.low, window.high * 3.6) == pytest.approx((0, 173), abs=0.5)  # 16
     assert all(case(n, "linear").linearization.decay_rate > 0 for n in range(17, 23))
     linear, nonlinear = (case(17, m).metrics for m in ("linear", "nonlinear"))
@@ -513,7 +513,7 @@ def test_moving_files_that_fails_does_not_look_whole(tmp_path, monkeypatch):
                 (scratch / name).write_text("new")
 
     monkeypatch.setattr(os, "replace", breaks)
-    with pytest.raises(gl.GroundloopError, match="No space left"):
+    with pytest.raises(gr.GroundrollError, match="No space left"):
         write()
     assert [p.name for p in target.iterdir()] == ["a"]
 
@@ -529,13 +529,13 @@ def test_other_files_in_the_folder_are_left_alone(tmp_path):
 
 def test_a_folder_that_cannot_be_written_is_named(tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(gl.GroundloopError, match=r"cannot write the study to .*file"):
+    with pytest.raises(gr.GroundrollError, match=r"cannot write the study to .*file"):
         study.run(tmp_path / "file" / "out")
 
 
 def test_the_bytes_do_not_depend_on_the_process(done):
     program = (
-        "import hashlib, sys; from groundloop.study import figures, ledger, report, sources\n"
+        "import hashlib, sys; from groundroll.study import figures, ledger, report, sources\n"
         "cells = ledger.ledger(['4.1', '4.9'])\n"
         "drawing = figures.svg(sources.figures()['4.30'])\n"
         "print(hashlib.sha256((drawing + report.as_csv(cells)).encode()).hexdigest())"
@@ -556,7 +556,7 @@ def test_the_bytes_do_not_depend_on_the_process(done):
 
 
 def test_data_files_are_packaged():
-    folder = Path(str(resources.files("groundloop.study")))
+    folder = Path(str(resources.files("groundroll.study")))
     assert {p.suffix for p in (folder / "data").iterdir()} == {".csv", ".toml"}
     assert (folder / "report.html.j2").is_file()
     assert (folder / "report.css").is_file()

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from matplotlib import pyplot
 
-import groundloop as gl
-from groundloop.evaluate import elementwise
-from groundloop.fates import FATES, Criterion, fates
+import groundroll as gr
+from groundroll.evaluate import elementwise
+from groundroll.fates import FATES, Criterion, fates
 
 mpl.use("Agg")
 
-PLANE = gl.Aircraft.load("brott-physical")
+PLANE = gr.Aircraft.load("brott-physical")
 TAIL = -float(PLANE["b"])
 #: Stiffness of the tail wheel in Trials 17 to 19.
 TRIALS = {17: "145 N/deg", 18: "112 N/deg", 19: "70 N/deg"}
@@ -28,10 +28,10 @@ def test_a_kick_is_momentum_and_angular_momentum():
     assert float(changes["dr"]) == pytest.approx(-4.0 * 300.0 / 1760.0)
 
 
-def judged(plane: gl.Aircraft, impulse: float, station: float, criterion: Criterion) -> str:
+def judged(plane: gr.Aircraft, impulse: float, station: float, criterion: Criterion) -> str:
     """The fate of one kicked aircraft by a plain simulation, looked at every millisecond."""
     v0, r0 = impulse / float(plane["m"]), station * impulse / float(plane["Izz"])
-    run = gl.simulate(plane, t=criterion.t, samples=round(criterion.t * 1000) + 1, v0=v0, r0=r0)
+    run = gr.simulate(plane, t=criterion.t, samples=round(criterion.t * 1000) + 1, v0=v0, r0=r0)
     moving = np.zeros(run.t.size, bool)
     for name in ("v", "r"):
         size = np.abs(run[name])
@@ -52,7 +52,7 @@ def test_the_threshold_is_where_a_plain_simulation_sees_it(
     stiffness: str, station: float, half_width: float
 ):
     plane = PLANE.replace(Ct=stiffness)
-    found = gl.survival(plane, station=station, half_width=half_width)
+    found = gr.survival(plane, station=station, half_width=half_width)
     assert 0 < found.impulse < np.inf
     below, above = float(found.impulse) * 0.998, float(found.impulse) * 1.003
     assert judged(plane, below, station, found.criterion) == FATES[0]
@@ -74,7 +74,7 @@ def test_rest_straightens_out_at_once():
 
 def test_what_is_unstable_survives_nothing():
     unstable = PLANE.replace(Ct=0.0, a=1.0, b=3.5)
-    found = gl.survival(unstable)
+    found = gr.survival(unstable)
     assert found.decay_rate < 0
     assert found.impulse == 0
     assert FATES[int(found.fate)] != FATES[0]
@@ -83,14 +83,14 @@ def test_what_is_unstable_survives_nothing():
 def test_a_wider_runway_is_never_worse():
     widths = (5.0, 7.5, 10.0, 15.0)
     plane = PLANE.replace(Ct=np.array([8307.888, 6417.127, 4010.705]))
-    found = np.stack([gl.survival(plane, half_width=w).impulse for w in widths])
+    found = np.stack([gr.survival(plane, half_width=w).impulse for w in widths])
     assert (np.diff(found, axis=0) >= -2e-3 * found[:-1]).all()
 
 
 def test_the_eigenvalue_ranks_the_trials_but_not_by_how_much():
     """Trials 17 to 19 with the right tire: an eigth of the decay rate, a fiftieth of the kick."""
     plane = PLANE.replace(Ct=np.array([8307.888, 6417.127, 4010.705]))
-    found = gl.survival(plane, station=-plane["b"])
+    found = gr.survival(plane, station=-plane["b"])
     assert (np.diff(found.decay_rate) < 0).all()
     assert (np.diff(found.impulse) < 0).all()
     assert found.decay_rate[0] / found.decay_rate[2] == pytest.approx(8.07, abs=0.05)
@@ -101,21 +101,21 @@ def test_the_eigenvalue_ranks_the_trials_but_not_by_how_much():
 
 def test_shapes_broadcast_and_the_largest_tried_is_said():
     stations = np.linspace(-4.0, 1.0, 3)[:, None]
-    found = gl.survival(PLANE, station=stations, speed=np.array([20.0, 30.0]), largest=50.0)
+    found = gr.survival(PLANE, station=stations, speed=np.array([20.0, 30.0]), largest=50.0)
     assert found.impulse.shape == found.fate.shape == found.decay_rate.shape == (3, 2)
     assert (found.fate == 0).all()
     assert (found.impulse == 50.0).all()
     assert "6 cases" in repr(found)
-    assert " N s  at 0 m  27.778 m/s " in repr(gl.survival(PLANE))
+    assert " N s  at 0 m  27.778 m/s " in repr(gr.survival(PLANE))
 
 
 @pytest.fixture(scope="module")
-def basin() -> gl.Basin:
+def basin() -> gr.Basin:
     plane = PLANE.replace(Ct=TRIALS[19])
-    return gl.basin(plane, ("v0", np.linspace(-8, 8, 33)), ("r0", np.linspace(-3, 3, 25)))
+    return gr.basin(plane, ("v0", np.linspace(-8, 8, 33)), ("r0", np.linspace(-3, 3, 25)))
 
 
-def test_a_basin_is_fates_over_a_grid(basin: gl.Basin):
+def test_a_basin_is_fates_over_a_grid(basin: gr.Basin):
     assert basin.fate.shape == (25, 33)
     assert 0.2 < basin.share < 0.9
     one, _ = fates(basin.aircraft, basin.x[4], basin.y[20], basin.criterion)
@@ -126,13 +126,13 @@ def test_a_basin_is_fates_over_a_grid(basin: gl.Basin):
 def test_a_basin_over_speed_and_impulse_meets_the_threshold():
     plane = PLANE.replace(Ct=TRIALS[18])
     speeds = np.array([20.0, 30.0, 40.0])
-    found = gl.survival(plane, station=TAIL, speed=speeds)
+    found = gr.survival(plane, station=TAIL, speed=speeds)
     impulses = np.linspace(0.9, 1.1, 11) * 1900.0
-    chart = gl.basin(plane, ("speed", speeds), ("impulse", impulses), station=TAIL)
+    chart = gr.basin(plane, ("speed", speeds), ("impulse", impulses), station=TAIL)
     assert ((chart.fate == 0) == (impulses[:, None] <= found.impulse)).all()
 
 
-def test_a_basin_is_drawn_with_units_and_a_legend(basin: gl.Basin):
+def test_a_basin_is_drawn_with_units_and_a_legend(basin: gr.Basin):
     axes = basin.plot()
     assert axes.get_xlabel() == "initial lateral velocity $v$ (m/s)"
     assert axes.get_ylabel() == "initial yaw rate $r$ (deg/s)"
@@ -157,13 +157,13 @@ def test_a_basin_is_drawn_with_units_and_a_legend(basin: gl.Basin):
     ],
 )
 def test_mistakes_are_named(arguments: dict[str, object], message: str):
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.survival(PLANE, **arguments)
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.survival(PLANE, **arguments)
 
 
 def test_a_tire_that_reverses_is_refused():
-    with pytest.raises(gl.GroundloopError, match=r"reverses its force .* brott-physical"):
-        gl.survival(gl.Aircraft.load("brott"))
+    with pytest.raises(gr.GroundrollError, match=r"reverses its force .* brott-physical"):
+        gr.survival(gr.Aircraft.load("brott"))
 
 
 @pytest.mark.parametrize(
@@ -176,7 +176,7 @@ def test_a_tire_that_reverses_is_refused():
     ],
 )
 def test_mistakes_of_a_basin_are_named(x: object, y: object, message: str):
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.basin(PLANE, x, y)
-    with pytest.raises(gl.GroundloopError, match="of one aircraft"):
-        gl.basin(PLANE.replace(a=[0.1, 0.2]), ("v0", [0, 1]), ("r0", [0, 1]))
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.basin(PLANE, x, y)
+    with pytest.raises(gr.GroundrollError, match="of one aircraft"):
+        gr.basin(PLANE.replace(a=[0.1, 0.2]), ("v0", [0, 1]), ("r0", [0, 1]))

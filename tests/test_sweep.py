@@ -8,15 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from oracles import values
 
-import groundloop as gl
-from groundloop import generated
-from groundloop.evaluate import elementwise
-from groundloop.generated import kernels
-from groundloop.generated.names import SWEEPS
-from groundloop.stability import CLOSED_FORMS
-from groundloop.sweeps import SWEPT
+import groundroll as gr
+from groundroll import generated
+from groundroll.evaluate import elementwise
+from groundroll.generated import kernels
+from groundroll.generated.names import SWEEPS
+from groundroll.stability import CLOSED_FORMS
+from groundroll.sweeps import SWEPT
 
-PLANE = gl.Aircraft.load("brott")
+PLANE = gr.Aircraft.load("brott")
 RNG = np.random.default_rng(3)
 POINTS = {
     "a": RNG.uniform(-1.0, 1.0, 25_000),
@@ -26,8 +26,8 @@ POINTS = {
 
 
 def test_eigenvalues_are_those_of_numpy():
-    sweep = gl.sweep(PLANE, **POINTS)
-    lin = gl.linearize(PLANE.replace(**{k: v[:2000] for k, v in POINTS.items()}), "linear")
+    sweep = gr.sweep(PLANE, **POINTS)
+    lin = gr.linearize(PLANE.replace(**{k: v[:2000] for k, v in POINTS.items()}), "linear")
     exact = np.linalg.eigvals(lin.A)
     exact = np.take_along_axis(exact, np.lexsort((-exact.imag, -exact.real)), axis=-1)
     size = np.abs(exact).max(axis=-1, keepdims=True)
@@ -40,8 +40,8 @@ def test_eigenvalues_are_those_of_numpy():
 @pytest.mark.parametrize("name", sorted(set(SWEPT) & set(CLOSED_FORMS)))
 def test_every_margin_is_that_of_margins(name: str):
     few = {k: v[:300] for k, v in POINTS.items()}
-    expected = getattr(gl.margins(PLANE.replace(**few)), name)
-    assert gl.sweep(PLANE, [name], **few)[name] == pytest.approx(expected, rel=1e-9, nan_ok=True)
+    expected = getattr(gr.margins(PLANE.replace(**few)), name)
+    assert gr.sweep(PLANE, [name], **few)[name] == pytest.approx(expected, rel=1e-9, nan_ok=True)
 
 
 @pytest.mark.parametrize("name", sorted(set(SWEEPS) - {"linear_modes"}))
@@ -61,29 +61,29 @@ def test_kernels_give_the_bits_of_casadi(name: str, monkeypatch: pytest.MonkeyPa
 def test_any_number_of_points_and_threads(count: int, threads: int, at: np.ndarray):
     """Blocks of 512 points, whole and broken ones."""
     a = np.linspace(at[0], at[0] + 0.1, count)
-    sweep = gl.sweep(PLANE, ["re_1", "im_1"], threads=threads, a=a, Ct=at[1], u=at[2])
+    sweep = gr.sweep(PLANE, ["re_1", "im_1"], threads=threads, a=a, Ct=at[1], u=at[2])
     for k in {0, count // 2, count - 1}:
-        one = gl.sweep(PLANE, ["re_1", "im_1"], a=a[k], Ct=at[1], u=at[2])
+        one = gr.sweep(PLANE, ["re_1", "im_1"], a=a[k], Ct=at[1], u=at[2])
         assert float(one["re_1"]) == sweep["re_1"][k]
         assert float(one["im_1"]) == sweep["im_1"][k]
 
 
 def test_without_a_compiler_the_numbers_are_the_same(monkeypatch: pytest.MonkeyPatch):
     few = {k: v[:500] for k, v in POINTS.items()}
-    fast = gl.sweep(PLANE, **few)
+    fast = gr.sweep(PLANE, **few)
     monkeypatch.setattr(kernels, "can_sweep", lambda function: False)
-    slow = gl.sweep(PLANE, **few)
+    slow = gr.sweep(PLANE, **few)
     for name, array in fast.items():
         assert slow[name] == pytest.approx(array, rel=1e-12, abs=1e-12, nan_ok=True)
 
 
 def test_grids_broadcast_and_results_can_be_reused():
     grid = {"a": np.linspace(-1, 1, 7)[:, None], "speed": np.linspace(15, 40, 5)}
-    sweep = gl.sweep(PLANE, **grid)
+    sweep = gr.sweep(PLANE, **grid)
     assert sweep["re_1"].shape == (7, 5)
     assert sweep.eigenvalues.shape == (7, 5, 2)
     before = sweep["re_1"].copy()
-    again = gl.sweep(PLANE, out=sweep, a=grid["a"] + 0.1, speed=grid["speed"])
+    again = gr.sweep(PLANE, out=sweep, a=grid["a"] + 0.1, speed=grid["speed"])
     assert again["re_1"] is sweep["re_1"]
     assert (again["re_1"] != before).any()
     assert "7 x 5 points" in repr(sweep)
@@ -96,8 +96,8 @@ def test_results_go_where_they_are_asked_to(compiled: bool, monkeypatch: pytest.
     few = {"a": np.linspace(-1, 1, 40)[:, None], "speed": np.linspace(15, 40, 30)}
     table = np.full((3, *shape), np.nan)
     out = dict(zip(names, table, strict=False))
-    sweep = gl.sweep(PLANE, names, out=out, **few)
-    fresh = gl.sweep(PLANE, names, **few)
+    sweep = gr.sweep(PLANE, names, out=out, **few)
+    fresh = gr.sweep(PLANE, names, **few)
     for name, row in out.items():
         assert sweep[name] is row
         assert np.array_equal(row, fresh[name])
@@ -124,8 +124,8 @@ def _room() -> dict[str, np.ndarray]:
     ],
 )
 def test_what_cannot_be_written_to_is_refused(out: object, message: str):
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.sweep(PLANE, ["re_1", "im_1"], out=out, a=[0.1, 0.2, 0.3])
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.sweep(PLANE, ["re_1", "im_1"], out=out, a=[0.1, 0.2, 0.3])
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,7 @@ def test_what_cannot_be_written_to_is_refused(out: object, message: str):
     ],
 )
 def test_mistakes_are_named(arguments: dict[str, object], message: str):
-    with pytest.raises(gl.GroundloopError, match=message):
-        gl.sweep(PLANE, **arguments)
-    with pytest.raises(gl.GroundloopError, match="unknown result 'decay'"):
-        _ = gl.sweep(PLANE)["decay"]
+    with pytest.raises(gr.GroundrollError, match=message):
+        gr.sweep(PLANE, **arguments)
+    with pytest.raises(gr.GroundrollError, match="unknown result 'decay'"):
+        _ = gr.sweep(PLANE)["decay"]

@@ -1,7 +1,7 @@
 """Chapters 3 and 4, equation by equation: what the thesis prints falls out of the derivation.
 
 What is printed is typed as H. W. Brott (RIT, 1998) has it; what is derived comes from
-`groundloop.derive`. The equations listed as errata are held to differ by exactly what the errata
+`groundroll.derive`. The equations listed as errata are held to differ by exactly what the errata
 say, and by nothing else.
 """
 
@@ -11,8 +11,8 @@ from oracles import BROTT
 from sympy import atan, cos, pi, sin, tan
 from sympy.physics.vector import Vector, cross, dynamicsymbols
 
-from groundloop.derive import tire
-from groundloop.derive.components import (
+from groundroll.derive import tire
+from groundroll.derive.components import (
     F_main,
     F_tail,
     F_tail_wheel,
@@ -23,8 +23,8 @@ from groundloop.derive.components import (
     tail_wheel,
     vertical_tail,
 )
-from groundloop.derive.equation import Chain, Equation, expand
-from groundloop.derive.kinematics import (
+from groundroll.derive.equation import Chain, Equation, expand
+from groundroll.derive.kinematics import (
     BODY,
     GROUND,
     OMEGA,
@@ -35,10 +35,10 @@ from groundloop.derive.kinematics import (
     k,
     velocity,
 )
-from groundloop.derive.linear import linear, linearise
-from groundloop.derive.model import Model, assemble, beta, linear_tire_model, nonlinear
-from groundloop.derive.newton import a_y, r_dot, sum_F, sum_M, v_dot
-from groundloop.derive.quantities import (
+from groundroll.derive.linear import linear, linearise
+from groundroll.derive.model import Model, assemble, beta, linear_tire_model, nonlinear
+from groundroll.derive.newton import a_y, r_dot, sum_F, sum_M, v_dot
+from groundroll.derive.quantities import (
     B1,
     B3,
     B5,
@@ -64,8 +64,8 @@ from groundloop.derive.quantities import (
     u,
     v,
 )
-from groundloop.derive.tire import C_c, F_bar, F_peak, F_y, alpha_bar, mu, psi_bar, theta_bar
-from groundloop.derive.units import UnitError
+from groundroll.derive.tire import C_c, F_bar, F_peak, F_y, alpha_bar, mu, psi_bar, theta_bar
+from groundroll.derive.units import UnitError
 
 NONLINEAR, LINEAR = nonlinear(), linear()
 MAIN_GEAR = [main_gear(tire.nonlinear_tire)]

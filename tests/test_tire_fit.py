@@ -18,11 +18,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import approx_fprime, least_squares
 
-import groundloop as gl
-from groundloop.evaluate import elementwise
-from groundloop.tire_data import TireData
-from groundloop.tire_fit import THESIS_START, fit_tire
-from groundloop.tire_quality import MAGIC, compare, conditioning, force_rms, normalised_rms
+import groundroll as gr
+from groundroll.evaluate import elementwise
+from groundroll.tire_data import TireData
+from groundroll.tire_fit import THESIS_START, fit_tire
+from groundroll.tire_quality import MAGIC, compare, conditioning, force_rms, normalised_rms
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -302,7 +302,7 @@ class TestLargeSlip:
         assert "never" in refit
 
     def test_takes_an_aircraft(self):
-        plane = gl.Aircraft.load("brott")
+        plane = gr.Aircraft.load("brott")
         q = compare(DATA, {"brott": plane})["brott"]
         assert q.force_rms == pytest.approx(931.74, abs=0.01)
 
@@ -380,7 +380,7 @@ class TestSynthetic:
 
 
 class TestPackagedAircraft:
-    PLANE = gl.Aircraft.load("brott-physical")
+    PLANE = gr.Aircraft.load("brott-physical")
 
     def test_magic_formula_is_the_fit_rounded_to_4_digits(self):
         for s in MAGIC:
@@ -400,7 +400,7 @@ class TestPackagedAircraft:
     def test_fit_goes_into_an_aircraft(self):
         plane = self.PLANE.replace(**FIT.parameters)
         assert float(plane["C5"]) == FIT.parameters["C5"]
-        assert gl.simulate(plane, v0=0.1, t=0.5, samples=6)["y"][-1] > 0
+        assert gr.simulate(plane, v0=0.1, t=0.5, samples=6)["y"][-1] > 0
 
 
 HEADER = "slip_angle_deg,1000,2000\n"
@@ -460,82 +460,82 @@ class TestBadInput:
     )
     def test_each_mistake_is_named(self, tmp_path, text, message):
         path = write(tmp_path, text)
-        with pytest.raises(gl.GroundloopError) as caught:
+        with pytest.raises(gr.GroundrollError) as caught:
             TireData.load(path)
         assert message in str(caught.value)
         assert str(path) in str(caught.value)
 
     def test_all_mistakes_at_once(self, tmp_path):
         text = "angle,1000,2000\n1,a,b\n2,3\n3,nan,1\n"
-        with pytest.raises(gl.GroundloopError) as caught:
+        with pytest.raises(gr.GroundrollError) as caught:
             TireData.load(write(tmp_path, text))
         assert "has 5 mistakes:" in str(caught.value)
         for part in ("line 1", "'a'", "'b'", "line 3", "'nan'"):
             assert part in str(caught.value)
 
     def test_missing_file(self):
-        with pytest.raises(gl.GroundloopError, match=r"cannot read .*none\.csv"):
+        with pytest.raises(gr.GroundrollError, match=r"cannot read .*none\.csv"):
             TireData.load("none.csv")
 
     def test_not_text(self, tmp_path):
         (tmp_path / "tire.csv").write_bytes(b"\xff\xfe\x00")
-        with pytest.raises(gl.GroundloopError, match="not a text file"):
+        with pytest.raises(gr.GroundrollError, match="not a text file"):
             TireData.load(tmp_path / "tire.csv")
 
     def test_unknown_data_names_the_nearest(self):
-        with pytest.raises(gl.GroundloopError, match=r"did you mean goodyear-6\.00-6"):
+        with pytest.raises(gr.GroundrollError, match=r"did you mean goodyear-6\.00-6"):
             TireData.load("goodyear-6.00")
 
     def test_shapes(self):
-        with pytest.raises(gl.GroundloopError, match="slip angles by loads"):
+        with pytest.raises(gr.GroundrollError, match="slip angles by loads"):
             TireData("turned", DATA.slip_angles, DATA.loads, DATA.forces.T)
 
     def test_not_a_number(self):
         forces = DATA.forces.copy()
         forces[2, 1] = np.nan
-        with pytest.raises(gl.GroundloopError, match="forces of tire data 'x' must be finite"):
+        with pytest.raises(gr.GroundrollError, match="forces of tire data 'x' must be finite"):
             TireData("x", DATA.slip_angles, DATA.loads, forces)
 
     @pytest.mark.parametrize("start", [(1, 1, 1), (1, 1, 1, np.nan), "start"])
     def test_start(self, start):
-        with pytest.raises(gl.GroundloopError, match="start"):
+        with pytest.raises(gr.GroundrollError, match="start"):
             fit_tire(DATA, start)
 
     def test_a_tire_that_never_levels_off_cannot_be_fitted(self):
         forces = DATA.slip_angles[:, None] * DATA.loads
         data = TireData("straight", DATA.slip_angles, DATA.loads, forces)
-        with pytest.raises(gl.GroundloopError, match=r"'straight'.*no minimum.*level off"):
+        with pytest.raises(gr.GroundrollError, match=r"'straight'.*no minimum.*level off"):
             fit_tire(data)
 
     @pytest.mark.parametrize("load", [0.0, -1.0, np.nan])
     def test_load(self, load):
-        with pytest.raises(gl.GroundloopError, match="load must be"):
+        with pytest.raises(gr.GroundrollError, match="load must be"):
             compare(DATA, {"thesis": TABLE_3_2}, load)
 
     def test_no_force_at_the_load(self):
-        with pytest.raises(gl.GroundloopError, match="'thesis' gives no force"):
+        with pytest.raises(gr.GroundrollError, match="'thesis' gives no force"):
             compare(DATA, {"thesis": {**FIT.parameters, "D1": -1.0}})
 
     def test_arrays_are_no_parameter_set(self):
-        plane = gl.Aircraft.load("brott").replace(C5=[-8e-6, -8e-5])
-        with pytest.raises(gl.GroundloopError, match="C5 must be one number"):
+        plane = gr.Aircraft.load("brott").replace(C5=[-8e-6, -8e-5])
+        with pytest.raises(gr.GroundrollError, match="C5 must be one number"):
             force_rms(DATA, plane)
 
     def test_unknown_set(self):
-        with pytest.raises(gl.GroundloopError, match="did you mean thesis"):
+        with pytest.raises(gr.GroundrollError, match="did you mean thesis"):
             compare(DATA, {"thesis": TABLE_3_2})["thesi"]
 
 
 class TestFace:
     def test_quiet(self):
         """IPOPT prints nothing."""
-        code = "import groundloop as gl; gl.fit_tire()"
+        code = "import groundroll as gr; gr.fit_tire()"
         run = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True)
         assert run.stdout == b""
         assert run.stderr == b""
 
     def test_name_is_enough(self):
-        assert gl.fit_tire("goodyear-6.00-6").parameters == FIT.parameters
+        assert gr.fit_tire("goodyear-6.00-6").parameters == FIT.parameters
 
     def test_repr_is_a_table(self):
         lines = repr(FIT).splitlines()

@@ -8,7 +8,7 @@ from oracles import BROTT, MODELS, PER_DEGREE, points, right_hand_side
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
-import groundloop as gl
+import groundroll as gr
 
 SLIP = np.radians(20.0)
 
@@ -16,7 +16,7 @@ SLIP = np.radians(20.0)
 def aircraft(tire="nonlinear", **changes):
     """The thesis's aircraft in Trial 19 as plain numbers, with changes."""
     names = map(str, MODELS[tire].parameters)
-    return gl.Aircraft("random", {**{name: BROTT[name] for name in names}, **changes})
+    return gr.Aircraft("random", {**{name: BROTT[name] for name in names}, **changes})
 
 
 def rates(plane, tire, v, r, force):
@@ -53,7 +53,7 @@ def equilibria_by_scipy(plane, force, starts=15):
 )
 def test_scipy_finds_no_other_equilibria(changes, force):
     plane = aircraft(**changes)
-    trim = gl.trim(plane, disturbance=force)
+    trim = gr.trim(plane, disturbance=force)
     inside = np.abs(trim["alpha"]) < SLIP - 1e-3
     found = np.stack([trim["v"], trim["r"]], axis=1)[inside]
     expected = equilibria_by_scipy(plane, force)
@@ -64,8 +64,8 @@ def test_scipy_finds_no_other_equilibria(changes, force):
 @given(points("nonlinear"), st.floats(-2000.0, 2000.0))
 def test_nothing_accelerates_at_an_equilibrium(point, force):
     names = map(str, MODELS["nonlinear"].parameters)
-    plane = gl.Aircraft("random", dict(zip(names, point[2], strict=True)))
-    trim = gl.trim(plane, disturbance=force)
+    plane = gr.Aircraft("random", dict(zip(names, point[2], strict=True)))
+    trim = gr.trim(plane, disturbance=force)
     scale = abs(force) / float(plane["m"]) + 1.0
     for turn in trim.points:
         left = rates(plane, "nonlinear", turn.v, turn.r, force)
@@ -77,9 +77,9 @@ def test_nothing_accelerates_at_an_equilibrium(point, force):
 @given(points("linear"), st.floats(-2000.0, 2000.0))
 def test_the_linear_tire_has_the_one_equilibrium_of_its_matrices(point, force):
     names = map(str, MODELS["linear"].parameters)
-    plane = gl.Aircraft("random", dict(zip(names, point[2], strict=True)))
-    lin = gl.linearize(plane, "linear")
-    trim = gl.trim(plane, "linear", disturbance=force)
+    plane = gr.Aircraft("random", dict(zip(names, point[2], strict=True)))
+    lin = gr.linearize(plane, "linear")
+    trim = gr.trim(plane, "linear", disturbance=force)
     expected = np.linalg.solve(lin.A, -lin.B[:, 0] * force)
     assert int(trim.count) == 1
     np.testing.assert_allclose([trim["v"][0], trim["r"][0]], expected, rtol=1e-6, atol=1e-9)
@@ -89,7 +89,7 @@ def test_the_linear_tire_has_the_one_equilibrium_of_its_matrices(point, force):
 def test_an_unstable_aircraft_settles_in_a_turn():
     """With too soft a tail wheel it leaves the straight line and ends on a branch of the trim."""
     plane = aircraft(Ct=60 * PER_DEGREE)
-    trim = gl.trim(plane)
+    trim = gr.trim(plane)
     assert trim.stable.tolist() == [True, False, True]
     p = np.array([float(plane[str(q)]) for q in MODELS["nonlinear"].parameters])
     f = right_hand_side("nonlinear")
@@ -100,7 +100,7 @@ def test_an_unstable_aircraft_settles_in_a_turn():
 
 def test_branches_are_mirror_images():
     plane = aircraft(Ct=60 * PER_DEGREE)
-    left, right = gl.trim(plane, disturbance=-15.0), gl.trim(plane, disturbance=15.0)
+    left, right = gr.trim(plane, disturbance=-15.0), gr.trim(plane, disturbance=15.0)
     for name in ("v", "r", "alpha", "gamma", "F_main"):
         np.testing.assert_allclose(left[name], -right[name][::-1], atol=1e-9)
     np.testing.assert_array_equal(left.stable, right.stable[::-1])
@@ -108,7 +108,7 @@ def test_branches_are_mirror_images():
 
 def test_no_force_beyond_the_tires_is_held():
     """The honest answer is none; with it the arrays are empty, not full of guesses."""
-    trim = gl.trim(aircraft(), disturbance=20e3)
+    trim = gr.trim(aircraft(), disturbance=20e3)
     assert int(trim.count) == 0
     assert trim["v"].shape == (0,)
     assert trim.points == ()
@@ -118,11 +118,11 @@ def test_no_force_beyond_the_tires_is_held():
 def test_a_fold_is_found_on_both_sides():
     """Where two branches meet and vanish, both are there until they do."""
     plane = aircraft(Ct=60 * PER_DEGREE)
-    count = gl.trim(plane, disturbance=np.linspace(0.0, 60.0, 601)).count
+    count = gr.trim(plane, disturbance=np.linspace(0.0, 60.0, 601)).count
     assert set(np.unique(count)) <= {1, 2, 3}
     assert (np.diff(count) <= 0).all()
     last_three = np.flatnonzero(count == 3)[-1]
-    near = gl.trim(plane, disturbance=np.linspace(0.0, 60.0, 601)[last_three])
+    near = gr.trim(plane, disturbance=np.linspace(0.0, 60.0, 601)[last_three])
     two = np.diff(near["alpha"]).min()
     assert two < np.radians(0.5)
 
@@ -130,7 +130,7 @@ def test_a_fold_is_found_on_both_sides():
 @pytest.mark.parametrize("tire", ["linear", "nonlinear"])
 @pytest.mark.parametrize("force", [0.0, 100.0])
 def test_a_gear_at_the_cg_with_nothing_behind_it_is_named(tire, force):
-    trim = gl.trim(aircraft(tire, a=0.0, Ap=0.0, Ct=0.0), tire, disturbance=force)
+    trim = gr.trim(aircraft(tire, a=0.0, Ap=0.0, Ct=0.0), tire, disturbance=force)
     assert bool(trim.singular)
     assert int(trim.count) == 0
     assert "does not depend on the slip angle" in repr(trim)
@@ -139,7 +139,7 @@ def test_a_gear_at_the_cg_with_nothing_behind_it_is_named(tire, force):
 def test_nothing_behind_the_gear_still_has_its_turn():
     """Without a tail a side force there is balanced by the main gear alone: a F_main = -b F."""
     plane = aircraft(a=0.3, Ap=0.0, Ct=0.0)
-    trim = gl.trim(plane, disturbance=100.0)
+    trim = gr.trim(plane, disturbance=100.0)
     assert int(trim.count) == 1
     assert float(trim["F_main"][0]) == pytest.approx(-100 * 3.88112 / 0.3, rel=1e-9)
     assert not trim.stable[0]
@@ -147,24 +147,24 @@ def test_nothing_behind_the_gear_still_has_its_turn():
 
 def test_arrays_go_through():
     arms, forces = np.array([-0.5, 0.3, 0.9])[:, None], np.array([0.0, 50.0])
-    many = gl.trim(aircraft(a=arms), disturbance=forces, speed=20.0)
+    many = gr.trim(aircraft(a=arms), disturbance=forces, speed=20.0)
     assert many.count.shape == (3, 2)
     assert many["alpha"].shape == (3, 2, many.count.max())
     for i, arm in enumerate(arms[:, 0]):
         for j, force in enumerate(forces):
-            one = gl.trim(aircraft(a=arm), disturbance=force, speed=20.0)
+            one = gr.trim(aircraft(a=arm), disturbance=force, speed=20.0)
             n = int(one.count)
             assert n == many.count[i, j]
             np.testing.assert_allclose(many["r"][i, j, :n], one["r"], atol=1e-12)
             assert np.isnan(many["r"][i, j, n:]).all()
             assert not many.stable[i, j, n:].any()
-    with pytest.raises(gl.GroundloopError, match="one aircraft"):
+    with pytest.raises(gr.GroundrollError, match="one aircraft"):
         _ = many.points
 
 
 def test_a_point_of_a_trim_is_one_to_linearise_about():
-    trim = gl.trim(aircraft(), disturbance=300.0)
-    lin = gl.linearize(trim.aircraft, at=trim.points[0])
+    trim = gr.trim(aircraft(), disturbance=300.0)
+    lin = gr.linearize(trim.aircraft, at=trim.points[0])
     np.testing.assert_allclose(lin.drift, 0.0, atol=1e-12)
     assert float(lin.decay_rate) == pytest.approx(float(trim.decay_rate[0]), rel=1e-12)
 
@@ -183,10 +183,10 @@ def test_a_point_of_a_trim_is_one_to_linearise_about():
     ],
 )
 def test_what_cannot_be_is_named(arguments, words):
-    with pytest.raises(gl.GroundloopError, match=words):
-        gl.trim(aircraft(), **arguments)
+    with pytest.raises(gr.GroundrollError, match=words):
+        gr.trim(aircraft(), **arguments)
 
 
 def test_an_unknown_name_is_an_error():
-    with pytest.raises(gl.GroundloopError, match="alpha"):
-        _ = gl.trim(aircraft())["alhpa"]
+    with pytest.raises(gr.GroundrollError, match="alpha"):
+        _ = gr.trim(aircraft())["alhpa"]

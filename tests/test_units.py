@@ -10,15 +10,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import Array, parameters, state, values
 
-from groundloop import generated
-from groundloop.derive import units
-from groundloop.derive.components import Component, Force, alpha, main_gear
-from groundloop.derive.equation import Equation
-from groundloop.derive.kinematics import i, j
-from groundloop.derive.model import assemble
-from groundloop.derive.quantities import F_disturbance, Quantity, a, m, r, u, v
-from groundloop.derive.tire import F_y, linear_tire
-from groundloop.derive.units import UnitError, unit, unit_of
+from groundroll import generated
+from groundroll.derive import units
+from groundroll.derive.components import Component, Force, alpha, main_gear
+from groundroll.derive.equation import Equation
+from groundroll.derive.kinematics import i, j
+from groundroll.derive.model import assemble
+from groundroll.derive.quantities import F_disturbance, Quantity, a, m, r, u, v
+from groundroll.derive.tire import F_y, linear_tire
+from groundroll.derive.units import UnitError, unit, unit_of
 
 kg, metre, second = (units.BASE[name] for name in ("kg", "m", "s"))
 newton = kg * metre / second**2

@@ -9,7 +9,7 @@ import tomllib
 from datetime import date
 from pathlib import Path
 
-import groundloop as gl
+import groundroll as gr
 
 ROOT = Path(__file__).parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -24,8 +24,8 @@ def latest() -> tuple[str, str]:
 
 
 def test_the_package_has_the_version_of_the_project():
-    assert gl.__version__ == PROJECT["version"]
-    command = [sys.executable, "-m", "groundloop", "--version"]
+    assert gr.__version__ == PROJECT["version"]
+    command = [sys.executable, "-m", "groundroll", "--version"]
     shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     assert PROJECT["version"] in shown
 

@@ -1,6 +1,6 @@
 """Compiled functions by name: compiled on first use, cached by content, loaded as externals.
 
-Set ``GROUNDLOOP_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
+Set ``GROUNDROLL_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
 a compiler the same functions run in CasADi's virtual machine: the same numbers, slower.
 """
 
@@ -46,7 +46,7 @@ def load(name: str) -> ca.Function:
     Parameters
     ----------
     name : str
-        One of `groundloop.generated.FUNCTIONS`, e.g. ``"nonlinear_rk45"``.
+        One of `groundroll.generated.FUNCTIONS`, e.g. ``"nonlinear_rk45"``.
 
     Raises
     ------
@@ -167,18 +167,18 @@ def _is_intact(library: Path) -> bool:
 def _cache_folder() -> Path:
     """The user's cache folder, or a temporary one for this process if that can't be written."""
     base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    folder = Path(os.environ.get("GROUNDLOOP_CACHE") or Path(base) / "groundloop").resolve()
+    folder = Path(os.environ.get("GROUNDROLL_CACHE") or Path(base) / "groundroll").resolve()
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
             return folder
     except OSError as problem:
-        temporary = tempfile.mkdtemp(prefix="groundloop-")
+        temporary = tempfile.mkdtemp(prefix="groundroll-")
         atexit.register(shutil.rmtree, temporary, ignore_errors=True)
         say_once(
             "cache",
             f"cannot write to the cache folder {folder} ({problem.strerror}); compiling for this"
-            " process only. Set GROUNDLOOP_CACHE to a folder that can be written",
+            " process only. Set GROUNDROLL_CACHE to a folder that can be written",
         )
         return Path(temporary)
 

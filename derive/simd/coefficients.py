@@ -6,7 +6,7 @@ Equations I", 2nd ed., program ``dop853.f``), read from SciPy's transcription of
 ``scipy/integrate/_ivp/dop853_coefficients.py``).  The polynomials are minimax fits by Remez
 exchange, rounded to double from the highest coefficient down.
 
-Run ``python -m groundloop.derive.simd.coefficients``; emitting kernels needs neither mpmath nor
+Run ``python -m groundroll.derive.simd.coefficients``; emitting kernels needs neither mpmath nor
 SciPy.
 """
 

@@ -1,13 +1,13 @@
 """A first run: the thesis's aircraft after a sideways push of 0.1 m/s."""
 
-import groundloop as gl
+import groundroll as gr
 
-plane = gl.Aircraft.load("brott")  # a packaged aircraft; the path of your own file works too
-run = gl.simulate(plane, tire="nonlinear", v0=0.1, t=5.0)
+plane = gr.Aircraft.load("brott")  # a packaged aircraft; the path of your own file works too
+run = gr.simulate(plane, tire="nonlinear", v0=0.1, t=5.0)
 print(run)  # states and outputs by name: run["v"], run["yaw_rate"], run["alpha"], ...
 print(run.metrics())
 
 tricycle = plane.replace(main_gear_arm="-0.5 m", tail_wheel_stiffness=0.0)  # units are welcome
-print(gl.linearize(tricycle, tire="linear"))
+print(gr.linearize(tricycle, tire="linear"))
 
 run.plot(("y", "theta"))[0].figure.savefig("first_run.png")

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-import groundloop as gl
+import groundroll as gr
 
 Path("my-plane.toml").write_text(
     """
@@ -31,12 +31,12 @@ air_density = "1.225 kg/m^3"
 gravity = "9.81 m/s^2"
 """
 )
-plane = gl.Aircraft.load("my-plane.toml")
+plane = gr.Aircraft.load("my-plane.toml")
 print(plane)
 print(f"main gear {plane['a']:.3f} m ahead of the CG, tail {plane['b']:.3f} m behind it")
 
 for name, variant in {"down": plane, "raised": plane.replace(Ct=0.0)}.items():
-    lin = gl.linearize(variant, tire="linear")
+    lin = gr.linearize(variant, tire="linear")
     verdict = "stable" if lin.decay_rate > 0 else "unstable: errors double in"
     doubling = "" if lin.decay_rate > 0 else f" {0.693 / -lin.decay_rate:.2f} s"
     print(f"tail wheel {name}: {verdict}{doubling}")

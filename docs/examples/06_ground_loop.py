@@ -8,17 +8,17 @@ so the picture ends before that stops being a fair description.
 
 import sys
 
-import groundloop as gl
+import groundroll as gr
 
-plane = gl.Aircraft.load("brott-physical").replace(speed="60 km/h", tail_wheel_stiffness=0.0)
-gust = gl.gusts.one_minus_cosine(peak="-500 N", start="0.3 s", length="1 s")
+plane = gr.Aircraft.load("brott-physical").replace(speed="60 km/h", tail_wheel_stiffness=0.0)
+gust = gr.gusts.one_minus_cosine(peak="-500 N", start="0.3 s", length="1 s")
 behind = plane.replace(main_gear_arm="-0.5 m", main_gear_weight_fraction=0.86)
 ahead = plane.replace(main_gear_weight_fraction=1.0)
-tricycle = gl.simulate(behind, disturbance=gust, t=2.5, Y0=-6.5)
-taildragger = gl.simulate(ahead, disturbance=gust, t=2.5, Y0=6.5)
+tricycle = gr.simulate(behind, disturbance=gust, t=2.5, Y0=-6.5)
+taildragger = gr.simulate(ahead, disturbance=gust, t=2.5, Y0=6.5)
 
 labels = ["tricycle, gear 0.50 m behind the CG", "taildragger, gear 0.64 m ahead of it"]
-axes = gl.runway_view([tricycle, taildragger], labels=labels, width=27)
+axes = gr.runway_view([tricycle, taildragger], labels=labels, width=27)
 axes.figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "ground-loop.png", dpi=110)
 
-gl.animate([tricycle, taildragger], "ground-loop.gif", labels=labels, width=27, fps=10)
+gr.animate([tricycle, taildragger], "ground-loop.gif", labels=labels, width=27, fps=10)

@@ -15,11 +15,11 @@ import casadi as ca
 import numpy as np
 from matplotlib import pyplot
 
-import groundloop as gl
-from groundloop import generated
-from groundloop.plots import COLOURS, style
+import groundroll as gr
+from groundroll import generated
+from groundroll.plots import COLOURS, style
 
-plane = gl.Aircraft.load("brott-physical").replace(tail_wheel_stiffness=0.0)
+plane = gr.Aircraft.load("brott-physical").replace(tail_wheel_stiffness=0.0)
 p = plane.parameters("nonlinear")
 LARGEST, DELAY = 350.0, 0.7  # N of rudder force at the tail; s until the pilot acts
 END, N = 5.0, 50
@@ -28,8 +28,8 @@ h = END / N
 t = np.linspace(0.0, END, N + 1)
 # Open-loop control of an unstable aircraft forgives nothing: optimise against the very gust that
 # is flown, here one that holds over each interval.
-smooth = gl.gusts.one_minus_cosine(peak="250 N", start="0.2 s", length="0.8 s")
-gust = gl.gusts.sampled(t[:-1], smooth(t[:-1] + h / 2), hold=True)
+smooth = gr.gusts.one_minus_cosine(peak="250 N", start="0.2 s", length="0.8 s")
+gust = gr.gusts.sampled(t[:-1], smooth(t[:-1] + h / 2), hold=True)
 ALONG, ACROSS, HEADING = (generated.MODELS["nonlinear"].states.index(s) for s in ("X", "Y", "psi"))
 
 
@@ -95,15 +95,15 @@ print(f"Hessian against differences: {hessian_error(steps['rk45 compiled']):.0e}
 # Solve once, and fly the result: the gust as it is, the rudder held over each interval.
 arguments = problem(steps["rk45 compiled"])[1]
 found = solver(steps["rk45 compiled"])(**arguments)["x"].full().ravel()
-rudder = gl.gusts.sampled(t[:-1], found[-N:], hold=True)
-saved = gl.simulate(plane, disturbance=gust + rudder, t=END)
-lost = gl.simulate(plane, disturbance=gust, t=3.0)
+rudder = gr.gusts.sampled(t[:-1], found[-N:], hold=True)
+saved = gr.simulate(plane, disturbance=gust + rudder, t=END)
+lost = gr.simulate(plane, disturbance=gust, t=3.0)
 print(f"hands off: {abs(lost['Y']).max():.1f} m off the centre line after {lost.t[-1]:g} s")
 print(f"pilot:     {abs(saved['Y']).max():.1f} m at most, {saved['Y'][-1]:+.2f} m at the end")
 
 with style():
     figure, (above, below) = pyplot.subplots(2, 1, figsize=(9, 4.8), height_ratios=(2, 1))
-    gl.runway_view([lost, saved], labels=["hands off", "with rudder"], width=18, ax=above)
+    gr.runway_view([lost, saved], labels=["hands off", "with rudder"], width=18, ax=above)
     below.step(t[:-1], gust(t[:-1]), where="post", color="0.4", label="gust")
     below.step(t[:-1], found[-N:], where="post", color=COLOURS[1], label="rudder")
     for bound in (-LARGEST, LARGEST):

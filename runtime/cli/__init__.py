@@ -39,7 +39,7 @@ COMMANDS = {
 
 _EPILOG = (
     "AIRCRAFT is a packaged aircraft or a TOML file; any quantity may have a unit ('100 km/h')."
-    ' Completion: eval "$(_GROUNDLOOP_COMPLETE=bash_source groundloop)", or zsh_source.'
+    ' Completion: eval "$(_GROUNDROLL_COMPLETE=bash_source groundroll)", or zsh_source.'
 )
 
 
@@ -64,7 +64,7 @@ class _LazyGroup(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args and args[0] not in COMMANDS:
-            from groundloop.errors import unknown
+            from groundroll.errors import unknown
 
             raise click.UsageError(str(unknown("command", args[0], COMMANDS)), ctx)
         return super().resolve_command(ctx, args)
@@ -75,21 +75,21 @@ class _LazyGroup(click.Group):
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog=_EPILOG,
 )
-@click.version_option(package_name="groundloop")
+@click.version_option(package_name="groundroll")
 def _group() -> None:
     """Ground stability of light aircraft: where may the wheels stand?"""
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code, one of those above."""
-    from groundloop.errors import GroundloopError
-    from groundloop.interruption import heeded
+    from groundroll.errors import GroundrollError
+    from groundroll.interruption import heeded
 
     with warnings.catch_warnings():
         warnings.showwarning = _show_warning
         try:
             with heeded():
-                found = _group.main(arguments, prog_name="groundloop", standalone_mode=False)
+                found = _group.main(arguments, prog_name="groundroll", standalone_mode=False)
             return found or 0
         except click.ClickException as problem:
             problem.show()
@@ -99,14 +99,14 @@ def main(arguments: list[str] | None = None) -> int:
         except BrokenPipeError:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the last flush
             return 1
-        except GroundloopError as problem:
+        except GroundrollError as problem:
             return _failed(str(problem), 1)
 
 
 def _failed(message: str, code: int) -> int:
-    click.echo(f"groundloop: {message}", err=True)
+    click.echo(f"groundroll: {message}", err=True)
     return code
 
 
 def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
-    click.echo(f"groundloop: warning: {message}", err=True)
+    click.echo(f"groundroll: warning: {message}", err=True)

@@ -1,4 +1,4 @@
-"""``groundloop check``."""
+"""``groundroll check``."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .output import Output, emit, filled, number, paragraph, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.aircraft import Aircraft
-    from groundloop.checking import Check, Known
+    from groundroll.aircraft import Aircraft
+    from groundroll.checking import Check, Known
 
 #: Whoever weighs in these reads forces in pounds too.
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds"))
 
 
-@click.command(name="check", epilog=options.example("groundloop check cessna-170"))
+@click.command(name="check", epilog=options.example("groundroll check cessna-170"))
 @options.aircraft
 @click.option("--strict", is_flag=True, help="Exit with 1 if there are warnings.")
 @options.output
@@ -35,7 +35,7 @@ def command(
 
     Exits with 1 if the file has mistakes or no model can be run with it.
     """
-    from groundloop.checking import check
+    from groundroll.checking import check
 
     with bar():
         found = check(options.loaded(plane, changes))
@@ -83,7 +83,7 @@ def _missing(found: Check) -> Iterator[tuple[str, tuple[str, ...]]]:
 
 def _sheet(plane: Aircraft) -> dict[str, str]:
     """Units for what follows, by SI unit: those of the sheet it follows from."""
-    from groundloop.consistency import as_written
+    from groundroll.consistency import as_written
 
     units: dict[str, str] = {}
     if as_written(plane, "m")[1] in _POUNDS:
@@ -106,7 +106,7 @@ def _table(
 
 def _value(k: Known, units: Mapping[str, str]) -> tuple[str, str]:
     """Value and unit as written, or as people read them."""
-    from groundloop.units import from_si, parts
+    from groundroll.units import from_si, parts
 
     text, unit = parts(k.source.entry)
     if text:

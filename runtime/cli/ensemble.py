@@ -1,4 +1,4 @@
-"""``groundloop ensemble``."""
+"""``groundroll ensemble``."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from groundloop.generated.names import MODELS, QUANTITIES
+from groundroll.generated.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, filled, number, say, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.ensemble_result import Ensemble
+    from groundroll.ensemble_result import Ensemble
 
 _STATES = MODELS["nonlinear"].states
 _STARTS = {f"{s}0": QUANTITIES[s].unit for s in _STATES}
@@ -31,9 +31,9 @@ class _Limit(options.ParamType):
     name = "name=value"
 
     def convert(self, value: Any, param: Any, ctx: Any) -> tuple[str, float]:
-        from groundloop.arrays import finite
-        from groundloop.errors import GroundloopError
-        from groundloop.names import symbol
+        from groundroll.arrays import finite
+        from groundroll.errors import GroundrollError
+        from groundroll.names import symbol
 
         if isinstance(value, tuple):
             return value
@@ -44,7 +44,7 @@ class _Limit(options.ParamType):
         try:
             key = symbol(name, "name", (*model.states, *model.outputs))
             return key, float(finite(name, text, QUANTITIES[key].unit))
-        except GroundloopError as problem:
+        except GroundrollError as problem:
             self.fail(str(problem), param, ctx)
 
 
@@ -63,7 +63,7 @@ def _initial(command: Any) -> Any:
 @click.command(
     name="ensemble",
     epilog=options.example(
-        "groundloop ensemble brott-physical --v0 2 --vary 'speed=10 m/s:40 m/s'"
+        "groundroll ensemble brott-physical --v0 2 --vary 'speed=10 m/s:40 m/s'"
         " --vary 'Ct=0 N/deg:150 N/deg' --limits 'psi=45 deg'"
     ),
 )
@@ -132,7 +132,7 @@ def command(
     A range is name=low:high or name=low:high:points, with units. The table tells how the results
     are spread; csv and json hold every trajectory.
     """
-    from groundloop.ensembles import ensemble
+    from groundroll.ensembles import ensemble
 
     aircraft = options.loaded(plane, changes)
     ranges = _ranges([*vary, *(each for each in either.values() if isinstance(each, options.Grid))])
@@ -205,7 +205,7 @@ def _crossed(axes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _figure(ens: Ensemble, axes: dict[str, Any], units: Mapping[str, str]) -> Any:
-    from groundloop.ensemble_plot import plot_over, plot_spread
+    from groundroll.ensemble_plot import plot_over, plot_spread
 
     of = next(iter(ens.largest))
     return (plot_over(ens, of, axes, units) if axes else plot_spread(ens, of)).figure
@@ -225,7 +225,7 @@ def _text(ens: Ensemble, ranges: Mapping[str, options.Grid], random: int | None)
 
 
 def _range(grid: options.Grid) -> str:
-    from groundloop.ensemble_plot import quantity
+    from groundroll.ensemble_plot import quantity
 
     q = QUANTITIES[quantity(grid.symbol)]
     values = grid.values[1]
@@ -270,7 +270,7 @@ def _columns(ens: Ensemble) -> dict[str, tuple[str, Any]]:
 
 
 def _rows(ens: Ensemble, axes: Mapping[str, Any], drawn: bool) -> Iterator[list[Any]]:
-    from groundloop.ensemble_plot import quantity
+    from groundroll.ensemble_plot import quantity
 
     columns = _columns(ens)
     heads = [options.with_unit(s, QUANTITIES[quantity(s)].unit) for s in axes]

@@ -1,4 +1,4 @@
-"""``groundloop fit-tire``."""
+"""``groundroll fit-tire``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .output import Output, emit, filled, number, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.tire_fit import TireFit
+    from groundroll.tire_fit import TireFit
 
 
 class _TireData(options.ParamType):
@@ -22,14 +22,14 @@ class _TireData(options.ParamType):
     name = "data"
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
-        from groundloop.aircraft_file import packaged_files
+        from groundroll.aircraft_file import packaged_files
 
         names = [n for n in packaged_files(".csv") if n.startswith(incomplete)]
         return [*map(CompletionItem, names), CompletionItem(incomplete, type="file")]
 
 
 @click.command(
-    name="fit-tire", epilog=options.example("groundloop fit-tire goodyear-6.00-6 --format csv")
+    name="fit-tire", epilog=options.example("groundroll fit-tire goodyear-6.00-6 --format csv")
 )
 @click.argument("data", type=_TireData(), default="goodyear-6.00-6")
 @options.output
@@ -38,7 +38,7 @@ def command(data: str, form: str, out: Path | None) -> None:
 
     An aircraft file can name the table itself: table = "file.csv" in [main_tires].
     """
-    from groundloop.tire_fit import fit_tire
+    from groundroll.tire_fit import fit_tire
 
     with bar():
         fit = fit_tire(data)
@@ -68,7 +68,7 @@ def _text(fit: TireFit) -> str:
 
 
 def _rows(fit: TireFit) -> list[list[Any]]:
-    from groundloop.generated.names import QUANTITIES
+    from groundroll.generated.names import QUANTITIES
 
     found = [
         [s, QUANTITIES[s].name, float(value), QUANTITIES[s].unit]

@@ -1,4 +1,4 @@
-"""``groundloop info``."""
+"""``groundroll info``."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from . import options
 from .output import Output, emit, paragraph, table
 
 
-@click.command(name="info", epilog=options.example("groundloop info --format json"))
+@click.command(name="info", epilog=options.example("groundroll info --format json"))
 @click.argument("file", type=click.Path(dir_okay=False, path_type=Path), required=False)
 @options.output
 def command(file: Path | None, form: str, out: Path | None) -> None:
@@ -33,9 +33,9 @@ def command(file: Path | None, form: str, out: Path | None) -> None:
 
 def _kept(file: Path) -> Output:
     """What is in a file, also if other equations than those installed made it."""
-    from groundloop.generated.names import DIGEST
-    from groundloop.records import read
-    from groundloop.results import restored
+    from groundroll.generated.names import DIGEST
+    from groundroll.records import read
+    from groundroll.results import restored
 
     record = read(file, other_equations=True)
     result = restored(record)
@@ -65,11 +65,11 @@ def _short(value: Any) -> str:
 
 
 def _data() -> dict[str, Any]:
-    from groundloop.aircraft_file import load, packaged_files
-    from groundloop.generated.names import DIGEST, MODELS
+    from groundroll.aircraft_file import load, packaged_files
+    from groundroll.generated.names import DIGEST, MODELS
 
     return {
-        "versions": {name: version(name) for name in ("groundloop", "casadi", "numpy")}
+        "versions": {name: version(name) for name in ("groundroll", "casadi", "numpy")}
         | {"python": platform.python_version()},
         "equations": DIGEST,
         "code": _code(),
@@ -81,7 +81,7 @@ def _data() -> dict[str, Any]:
 
 def _code() -> str:
     """Where the compiled functions are, or why there are none."""
-    from groundloop import generated
+    from groundroll import generated
 
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")

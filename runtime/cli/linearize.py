@@ -1,4 +1,4 @@
-"""``groundloop linearize``."""
+"""``groundroll linearize``."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .output import Output, emit, number, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.linearization import Linearization
+    from groundroll.linearization import Linearization
 
 _SCALARS = {
     "decay_rate": "1/s",
@@ -24,7 +24,7 @@ _SCALARS = {
 
 @click.command(
     name="linearize",
-    epilog=options.example("groundloop linearize brott --v '0.4 m/s' --r '1 deg/s' --format json"),
+    epilog=options.example("groundroll linearize brott --v '0.4 m/s' --r '1 deg/s' --format json"),
 )
 @options.aircraft
 @options.tire()
@@ -48,7 +48,7 @@ def command(
 
     It need not be an equilibrium: the drift is (v_dot, r_dot) there.
     """
-    from groundloop.linearization import OperatingPoint, linearize
+    from groundroll.linearization import OperatingPoint, linearize
 
     point = OperatingPoint(v, r, disturbance)
     with bar():

@@ -1,4 +1,4 @@
-"""``groundloop map``."""
+"""``groundroll map``."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from .output import Output, emit, filled, number, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.maps import StabilityMap
+    from groundroll.maps import StabilityMap
 
 
 @click.command(
     name="map",
     epilog=options.example(
-        "groundloop map cessna-170 --x 'speed=10 kt:60 kt' --y 'main_gear_station=0 in:40 in'"
+        "groundroll map cessna-170 --x 'speed=10 kt:60 kt' --y 'main_gear_station=0 in:40 in'"
     ),
 )
 @options.aircraft
@@ -49,7 +49,7 @@ def command(
 
     A range is name=low:high or name=low:high:points, with units.
     """
-    from groundloop.maps import stability_map
+    from groundroll.maps import stability_map
 
     with bar():
         chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
@@ -70,7 +70,7 @@ def _text(chart: StabilityMap) -> str:
 
 
 def _axis(symbol: str, values: Any) -> str:
-    from groundloop.generated.names import QUANTITIES
+    from groundroll.generated.names import QUANTITIES
 
     q = QUANTITIES[symbol]
     low, unit = shown(values[0], q.unit)
@@ -78,7 +78,7 @@ def _axis(symbol: str, values: Any) -> str:
 
 
 def _extremes(chart: StabilityMap) -> str:
-    from groundloop.generated.names import QUANTITIES
+    from groundroll.generated.names import QUANTITIES
 
     axes = [(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
     heads = [options.with_unit(s, shown(0.0, unit)[1] or "1") for s, unit in axes]
@@ -94,7 +94,7 @@ def _extremes(chart: StabilityMap) -> str:
 
 
 def _rows(chart: StabilityMap) -> Iterator[list[Any]]:
-    from groundloop.generated.names import QUANTITIES
+    from groundroll.generated.names import QUANTITIES
 
     axes = [options.with_unit(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
     yield [*axes, options.with_unit(chart.of, chart.unit), "stable"]

@@ -14,7 +14,7 @@ from click.shell_completion import CompletionItem
 from .output import FORMATS, KEPT, KEPT_IN
 
 if TYPE_CHECKING:
-    from groundloop.aircraft import Aircraft
+    from groundroll.aircraft import Aircraft
 
     ParamType = click.ParamType[Any]
 else:
@@ -38,7 +38,7 @@ class Grid:
     symbol : str
         The parameter.
     values : tuple of str and array
-        Symbol and values in the SI unit, as `groundloop.stability_map` takes them.
+        Symbol and values in the SI unit, as `groundroll.stability_map` takes them.
     unit : str
         Unit that the range was given in; empty for the SI unit.
     points : int, optional
@@ -66,7 +66,7 @@ class Quantity(ParamType):
         self.unit = unit
 
     def convert(self, value: Any, param: Any, ctx: Any) -> float:
-        from groundloop.units import UnitError, to_si
+        from groundroll.units import UnitError, to_si
 
         if not isinstance(value, str):
             return float(value)
@@ -88,10 +88,10 @@ class Range(ParamType):
         self.others = dict(others or {})
 
     def convert(self, value: Any, param: Any, ctx: Any) -> Grid:
-        from groundloop.aircraft import parameter_symbols
-        from groundloop.errors import GroundloopError
-        from groundloop.generated.names import QUANTITIES
-        from groundloop.names import symbol
+        from groundroll.aircraft import parameter_symbols
+        from groundroll.errors import GroundrollError
+        from groundroll.generated.names import QUANTITIES
+        from groundroll.names import symbol
 
         if isinstance(value, Grid):
             return value
@@ -103,7 +103,7 @@ class Range(ParamType):
                 return _grid(name, name, text, self.others[name])
             key = symbol(name, "parameter", parameter_symbols())
             return _grid(key, name, text, QUANTITIES[key].unit)
-        except (GroundloopError, ValueError) as problem:
+        except (GroundrollError, ValueError) as problem:
             self.fail(str(problem), param, ctx)
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
@@ -119,7 +119,7 @@ class QuantityOrRange(Quantity):
         self.key = key
 
     def convert(self, value: Any, param: Any, ctx: Any) -> Any:
-        from groundloop.errors import GroundloopError
+        from groundroll.errors import GroundrollError
 
         if isinstance(value, Grid) or ":" not in str(value):
             return value if isinstance(value, Grid) else super().convert(value, param, ctx)
@@ -127,7 +127,7 @@ class QuantityOrRange(Quantity):
             self.fail(f"found {value!r}; expected low:high, such as 1:2", param, ctx)
         try:
             return _grid(self.key, self.key, value, self.unit)
-        except (GroundloopError, ValueError) as problem:
+        except (GroundrollError, ValueError) as problem:
             self.fail(str(problem), param, ctx)
 
 
@@ -142,7 +142,7 @@ def _grid(key: str, name: str, text: str, unit: str) -> Grid:
     """A range as written, in the SI unit."""
     import numpy as np
 
-    from groundloop.units import to_si
+    from groundroll.units import to_si
 
     low, high, points = _split(text) or ("", "", "")
     ends = [to_si(end, unit, name) for end in (low, high)]
@@ -161,7 +161,7 @@ class AircraftName(ParamType):
     name = "aircraft"
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
-        from groundloop.aircraft import packaged
+        from groundroll.aircraft import packaged
 
         names = [CompletionItem(n) for n in packaged() if n.startswith(incomplete)]
         return [*names, CompletionItem(incomplete, type="file")]
@@ -179,8 +179,8 @@ class Assignment(ParamType):
         return name.strip(), text.strip() or None
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
-        from groundloop.aircraft import parameter_symbols
-        from groundloop.generated.names import QUANTITIES
+        from groundroll.aircraft import parameter_symbols
+        from groundroll.generated.names import QUANTITIES
 
         names = [QUANTITIES[s].name for s in parameter_symbols()]
         return [CompletionItem(f"{n}=") for n in names if n.startswith(incomplete)]
@@ -206,14 +206,14 @@ def aircraft(command: F) -> F:
 
 def loaded(name: str, changes: Changes) -> Aircraft:
     """The aircraft that AIRCRAFT and --set describe."""
-    from groundloop.aircraft import Aircraft
-    from groundloop.errors import GroundloopError
+    from groundroll.aircraft import Aircraft
+    from groundroll.errors import GroundrollError
 
     plane = Aircraft.load(name)
     for parameter, value in changes:
         try:
             plane = plane.replace(**{parameter: value})
-        except GroundloopError as problem:
+        except GroundrollError as problem:
             raise click.BadParameter(str(problem), param_hint="--set") from problem
     return plane
 
@@ -260,7 +260,7 @@ def output(command: Callable[..., Any], keeps: bool = False) -> Callable[..., An
     def formed(*, form: str | None, out: Path | None, **others: Any) -> Any:
         return command(form=_form(form, out, keeps), out=out, **others)
 
-    kept = "; .npz or .nc (NetCDF) for the result itself, which `groundloop info` and Python read"
+    kept = "; .npz or .nc (NetCDF) for the result itself, which `groundroll info` and Python read"
     option = click.option(
         "--out",
         type=click.Path(dir_okay=False, path_type=Path),
@@ -282,11 +282,11 @@ def result(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _form(form: str | None, out: Path | None, keeps: bool) -> str:
-    from groundloop.errors import GroundloopError
+    from groundroll.errors import GroundrollError
 
     suffix = out.suffix if out else ""
     if out and not out.parent.is_dir():
-        raise GroundloopError(f"cannot write {out}: there is no folder {out.parent}")
+        raise GroundrollError(f"cannot write {out}: there is no folder {out.parent}")
     if suffix not in KEPT_IN:
         return form or (suffix[1:] if suffix[1:] in FORMATS else FORMATS[0])
     if not keeps or form:
@@ -315,8 +315,8 @@ def draw(
     import matplotlib as mpl
     from matplotlib import pyplot
 
-    from groundloop.errors import GroundloopError
-    from groundloop.files import complete
+    from groundroll.errors import GroundrollError
+    from groundroll.files import complete
 
     from .output import say
 
@@ -327,7 +327,7 @@ def draw(
         try:
             drawn.savefig(draft)
         except ValueError as problem:
-            raise GroundloopError(f"cannot write the picture {path}: {problem}") from problem
+            raise GroundrollError(f"cannot write the picture {path}: {problem}") from problem
         finally:
             pyplot.close(drawn)
     say(f"wrote {path}")
@@ -342,4 +342,4 @@ def about(plane: Aircraft, **more: Any) -> Mapping[str, Any]:
     """What identifies a result: version, aircraft and settings."""
     from importlib.metadata import version
 
-    return {"groundloop": version("groundloop"), "aircraft": plane.name, **more}
+    return {"groundroll": version("groundroll"), "aircraft": plane.name, **more}

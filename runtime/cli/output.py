@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundloop.wording import number as number
+from groundroll.wording import number as number
 
 if TYPE_CHECKING:
-    from groundloop.results import Result
+    from groundroll.results import Result
 
 FORMATS = ("table", "csv", "json")
 #: Not a format to print but a file with the result itself, of one of these kinds.
@@ -70,7 +70,7 @@ def _content(output: Output, form: str) -> str:
 
 def write(path: Path, content: str) -> None:
     """Write a text file, or say why not."""
-    from groundloop.files import complete
+    from groundroll.files import complete
 
     with complete(path) as draft:
         draft.write_text(content, encoding="utf-8", newline="")
@@ -156,7 +156,7 @@ def paragraph(text: str, mark: str = "-") -> str:
 
 def shown(value: Any, unit: str) -> tuple[float, str]:
     """A value with its unit as people read it: degrees for radians, nothing for a pure number."""
-    from groundloop.units import from_si
+    from groundroll.units import from_si
 
     wanted = unit.replace("rad", "deg")
     factor = 1.0 if wanted == unit else from_si(1.0, unit, wanted)

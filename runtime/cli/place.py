@@ -1,4 +1,4 @@
-"""``groundloop place``."""
+"""``groundroll place``."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .output import Output, emit, hanging
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.placement import Envelope, Limits, Placement
+    from groundroll.placement import Envelope, Limits, Placement
 
 
 class _Bounds(options.ParamType):
@@ -40,7 +40,7 @@ _bounds = partial(click.option, type=_Bounds(), multiple=True)
 
 @click.command(
     name="place",
-    epilog=options.example("groundloop place cessna-170 --envelope 'speed=20 kt:50 kt' --textbook"),
+    epilog=options.example("groundroll place cessna-170 --envelope 'speed=20 kt:50 kt' --textbook"),
 )
 @options.aircraft
 @_bounds("--envelope", help="What the aircraft meets: speed, cg, mass, tire_wear, ... May repeat.")
@@ -98,7 +98,7 @@ def command(
     A range is name=low:high, a set name=value,value, each with units; of a limit one end may be
     left out. Without any: the CG range at the aircraft's own speed, and stability.
     """
-    from groundloop.placement import place_gear
+    from groundroll.placement import place_gear
 
     aircraft = options.loaded(plane, changes)
     with bar("steps") as show:
@@ -120,14 +120,14 @@ def command(
 
 
 def _envelope(given: dict[str, Any], lift: bool) -> Envelope:
-    from groundloop.placement import Envelope
+    from groundroll.placement import Envelope
 
     _known(given, Envelope, "--envelope")
     return Envelope(**given, lift=lift)
 
 
 def _limits(given: dict[str, Any], layout: str | None) -> Limits:
-    from groundloop.placement import Limits
+    from groundroll.placement import Limits
 
     _known(given, Limits, "--limit")
     return Limits(**given) if layout is None else Limits.textbook(layout, **given)
@@ -138,7 +138,7 @@ def _layout(aircraft: Any) -> str:
 
 
 def _known(given: dict[str, Any], kind: Any, option: str) -> None:
-    from groundloop.errors import unknown
+    from groundroll.errors import unknown
 
     names = [field.name for field in fields(kind) if field.name != "lift"]
     for name in given:

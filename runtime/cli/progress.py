@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
-    from groundloop.progress import Show
+    from groundroll.progress import Show
 
 #: Seconds in which nothing is shown: most commands are done by then.
 _MOMENT = 1.0

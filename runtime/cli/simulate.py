@@ -1,4 +1,4 @@
-"""``groundloop simulate``."""
+"""``groundroll simulate``."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundloop.generated.names import MODELS, QUANTITIES
+from groundroll.generated.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, number, say, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.metrics import Metrics
-    from groundloop.simulation import Trajectory
+    from groundroll.metrics import Metrics
+    from groundroll.simulation import Trajectory
 
 _STATES = MODELS["nonlinear"].states
 #: Whose metrics are shown.
@@ -47,7 +47,7 @@ def _gust(command: Any) -> Any:
 @click.command(
     name="simulate",
     epilog=options.example(
-        "groundloop simulate brott --v0 '0.1 m/s' --speed '100 km/h' --plot run.png"
+        "groundroll simulate brott --v0 '0.1 m/s' --speed '100 km/h' --plot run.png"
     ),
 )
 @options.aircraft
@@ -102,7 +102,7 @@ def command(
     The table tells the largest and the last value of each quantity, and the metrics of the
     response of v, r, y and theta; csv and json hold them over time.
     """
-    from groundloop.simulation import simulate
+    from groundroll.simulation import simulate
 
     aircraft = options.loaded(plane, changes)
     if not any(initial.values()) and not disturbance:
@@ -127,7 +127,7 @@ def command(
 
 def _over_time(force: float, gust: str | None, start: float | None, length: float | None) -> Any:
     """The disturbance as `simulate` takes it."""
-    from groundloop import gusts
+    from groundroll import gusts
 
     if gust is None:
         if start is not None or length is not None:
@@ -140,7 +140,7 @@ def _over_time(force: float, gust: str | None, start: float | None, length: floa
 
 
 def _runway(run: Trajectory) -> Any:
-    from groundloop.runway import runway_view
+    from groundroll.runway import runway_view
 
     return runway_view(run).figure
 

@@ -1,4 +1,4 @@
-"""``groundloop study``."""
+"""``groundroll study``."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .options import example
 from .progress import bar
 
 
-@click.command(name="study", epilog=example("groundloop study --out study"))
+@click.command(name="study", epilog=example("groundroll study --out study"))
 @click.option(
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
@@ -23,7 +23,7 @@ def command(out: Path) -> None:
 
     Exits with 1 if a printed number neither agrees nor is explained.
     """
-    from groundloop import study
+    from groundroll import study
 
     with bar("steps") as show:
         summary = study.run(out, show)

@@ -1,4 +1,4 @@
-"""``groundloop survival``."""
+"""``groundroll survival``."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from .output import Output, emit, filled, number, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.aircraft import Aircraft
-    from groundloop.kicks import Survival
+    from groundroll.aircraft import Aircraft
+    from groundroll.kicks import Survival
 
 #: Cases along a range that names no number of points, and points along an axis of the picture.
 _POINTS, _PICTURE = 8, 121
@@ -38,7 +38,7 @@ _COLUMNS = {
 @click.command(
     name="survival",
     epilog=options.example(
-        "groundloop survival brott-physical --station=-3.88 --speed '60 km/h:160 km/h'"
+        "groundroll survival brott-physical --station=-3.88 --speed '60 km/h:160 km/h'"
     ),
 )
 @options.aircraft
@@ -94,7 +94,7 @@ def command(
     the same. The picture is of what becomes of it over speed and impulse; of a range of stations,
     the threshold over them.
     """
-    from groundloop.kicks import survival
+    from groundroll.kicks import survival
 
     aircraft = options.loaded(plane, changes)
     criterion: dict[str, Any] = {**limits, "settled": settled, "t": t, "threads": threads}
@@ -172,8 +172,8 @@ def _data(found: Survival, stations: Any, speeds: Any) -> dict[str, Any]:
 
 def _basin(found: Survival, aircraft: Aircraft, speeds: Any, criterion: dict[str, Any]) -> Any:
     """What becomes of it over speed and impulse, with the threshold of the table."""
-    from groundloop.basins import basin
-    from groundloop.plots import INK
+    from groundroll.basins import basin
+    from groundroll.plots import INK
 
     low, high = (1.0, 1.0) if speeds.size > 1 else _SPEEDS
     reach = np.nanmax([found.impulse, np.nan_to_num(found.island)])
@@ -192,7 +192,7 @@ def _over_stations(found: Survival) -> Any:
     """Threshold over the station, a line for each speed."""
     from matplotlib import pyplot
 
-    from groundloop.plots import COLOURS, DASHES, style
+    from groundroll.plots import COLOURS, DASHES, style
 
     with style():
         figure, ax = pyplot.subplots(figsize=(5.6, 4.0))

@@ -1,4 +1,4 @@
-"""``groundloop trim``."""
+"""``groundroll trim``."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .output import Output, emit, number, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
-    from groundloop.trimming import Trim
+    from groundroll.trimming import Trim
 
 
 @click.command(
     name="trim",
-    epilog=options.example("groundloop trim brott --disturbance '100 lbf' --speed '60 km/h'"),
+    epilog=options.example("groundroll trim brott --disturbance '100 lbf' --speed '60 km/h'"),
 )
 @options.aircraft
 @options.tire()
@@ -37,7 +37,7 @@ def command(
 
     That there is none is an answer too: the exit code is 0.
     """
-    from groundloop.trimming import trim
+    from groundroll.trimming import trim
 
     with bar():
         found = trim(options.loaded(plane, changes), tire, speed=speed, disturbance=disturbance)
@@ -45,7 +45,7 @@ def command(
 
 
 def _text(found: Trim) -> str:
-    from groundloop.generated.names import QUANTITIES
+    from groundroll.generated.names import QUANTITIES
 
     head = repr(found).partition("\n")[0].removeprefix("Trim of ").replace("'", "")
     if not found.count:
@@ -63,7 +63,7 @@ def _text(found: Trim) -> str:
 
 
 def _rows(found: Trim) -> list[list[Any]]:
-    from groundloop.generated.names import QUANTITIES
+    from groundroll.generated.names import QUANTITIES
 
     heads = [options.with_unit(s, QUANTITIES[s].unit) for s in found.values]
     rows: list[list[Any]] = [["branch", *heads, "decay_rate [1/s]", "stable"]]

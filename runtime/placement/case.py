@@ -10,9 +10,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from groundloop import generated
-from groundloop.aircraft import Aircraft
-from groundloop.arrays import FloatArray, broadcast
+from groundroll import generated
+from groundroll.aircraft import Aircraft
+from groundroll.arrays import FloatArray, broadcast
 
 from .envelope import AXES, Axis
 from .limits import Bound

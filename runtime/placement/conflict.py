@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from groundloop.errors import GroundloopError
+from groundroll.errors import GroundrollError
 
 from .assess import assess
 from .limits import Bound, shown
@@ -43,7 +43,7 @@ class Conflict:
     alone: float
 
 
-class InfeasibleError(GroundloopError):
+class InfeasibleError(GroundrollError):
     """No placement satisfies every limit over the envelope.
 
     Attributes
@@ -62,7 +62,7 @@ class InfeasibleError(GroundloopError):
         self.nearest = dict(nearest)
 
 
-def infeasible(unsolved: Problem) -> GroundloopError:
+def infeasible(unsolved: Problem) -> GroundrollError:
     """Which limits conflict and by how much: the least violation, and each limit alone."""
     case = unsolved.case
     bare = replace(case, objective="smallest_change")
@@ -72,7 +72,7 @@ def infeasible(unsolved: Problem) -> GroundloopError:
     solution = found.solution
     steps = np.array([b.kind.step for b in case.bounds])
     if not solution.ok or (solution.slack / steps < _NOTHING).all():
-        return GroundloopError(
+        return GroundrollError(
             "no start led to an optimum although the limits can be met; narrow the bounds of the"
             " variables or the envelope"
         )

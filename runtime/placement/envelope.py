@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from groundloop.aircraft import Aircraft
-from groundloop.arrays import FloatArray, physical
-from groundloop.errors import GroundloopError
-from groundloop.generated.names import QUANTITIES
-from groundloop.units import to_si
+from groundroll.aircraft import Aircraft
+from groundroll.arrays import FloatArray, physical
+from groundroll.errors import GroundrollError
+from groundroll.generated.names import QUANTITIES
+from groundroll.units import to_si
 
 #: Field of an envelope -> symbol.
 AXES = {
@@ -106,7 +106,7 @@ class Envelope:
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If the aircraft has not what is needed, or lift leaves no weight on the wheels.
         """
         given = {name: getattr(self, name) for name in AXES}
@@ -122,7 +122,7 @@ class Envelope:
             )
         axes = {AXES[name]: _axis(name, value) for name, value in given.items()}
         if self.lift and axes["u"].high >= (limit := _single(plane, "u_lift")):
-            raise GroundloopError(
+            raise GroundrollError(
                 f"Envelope.speed goes to {axes['u'].high:g} m/s, but at lift_off_speed ="
                 f" {limit:g} m/s no weight is left on the wheels: end the range below it"
             )
@@ -162,7 +162,7 @@ def product(values: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
 def _single(plane: Aircraft, symbol: str) -> float:
     value = plane[symbol]
     if value.ndim:
-        raise GroundloopError(
+        raise GroundrollError(
             f"place_gear places one gear: {QUANTITIES[symbol].name} ({symbol}) of aircraft"
             f" {plane.name} is an array of shape {value.shape}; give ranges in the Envelope"
         )
@@ -175,18 +175,18 @@ def _axis(name: str, value: Any) -> Axis:
     members = value if isinstance(value, tuple | list | set | frozenset | np.ndarray) else [value]
     values = numbers(members, QUANTITIES[symbol].unit, label)
     if values.size == 0:
-        raise GroundloopError(f"{label} is empty; give at least one value")
+        raise GroundrollError(f"{label} is empty; give at least one value")
     if is_range and values.size != 2:
-        raise GroundloopError(
+        raise GroundrollError(
             f"{label}: a tuple is a range and has two ends, not {values.size}; use a list for a set"
         )
     if is_range and values[0] > values[1]:
-        raise GroundloopError(
+        raise GroundrollError(
             f"{label}: the range runs backwards, from {values[0]:g} to {values[1]:g}"
             f" {QUANTITIES[symbol].unit}; write the lower end first"
         )
     if symbol == "w" and values.min() <= 0:
-        raise GroundloopError(
+        raise GroundrollError(
             f"{label} must stay above 0, but {values.min():g} is in it: a tire without load has"
             " no stiffness, and an aircraft without weight on its wheels is flying"
         )
@@ -199,11 +199,11 @@ def numbers(members: Any, unit: str, where: str) -> FloatArray:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For anything that is neither.
     """
     converted = [to_si(v, unit, where) if isinstance(v, str) else v for v in members]
     try:
         return np.array(converted, dtype=np.float64).reshape(-1)
     except (TypeError, ValueError):
-        raise GroundloopError(f"{where} must be numbers, not {members!r}") from None
+        raise GroundrollError(f"{where} must be numbers, not {members!r}") from None

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundloop.arrays import FloatArray
-from groundloop.plots import COLOURS, DASHES, INK, MUTED, style
+from groundroll.arrays import FloatArray
+from groundroll.plots import COLOURS, DASHES, INK, MUTED, style
 
 from .case import Case
 from .envelope import corners, grid
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from groundloop.simulation import Trajectory
+    from groundroll.simulation import Trajectory
 
     from .pareto import Front
     from .result import Placement

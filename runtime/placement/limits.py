@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from groundloop.errors import GroundloopError, unknown
+from groundroll.errors import GroundrollError, unknown
 
 from .envelope import numbers
 
@@ -164,7 +164,7 @@ class Limits:
 
         Raises
         ------
-        GroundloopError
+        GroundrollError
             If a limit has no meaning for it.
         """
         found: list[Bound] = []
@@ -172,7 +172,7 @@ class Limits:
             bounds = _bounds(field.name, getattr(self, field.name))
             kind = KINDS[field.name]
             if bounds and layout not in kind.layouts:
-                raise GroundloopError(
+                raise GroundrollError(
                     f"Limits.{field.name} means nothing for a {layout}; it is for a"
                     f" {kind.layouts[0]}"
                 )
@@ -191,7 +191,7 @@ def _bounds(name: str, value: Any) -> list[Bound]:
     elif isinstance(value, tuple | list) and len(value) == 2:
         pair = list(value)
     else:
-        raise GroundloopError(
+        raise GroundrollError(
             f"{where} has two bounds, (low, high), with None for a missing one; not {value!r}"
         )
     found = [
@@ -200,19 +200,19 @@ def _bounds(name: str, value: Any) -> list[Bound]:
         if v is not None
     ]
     if not all(np.isfinite(b.value) for b in found):
-        raise GroundloopError(f"{where} must be finite, not {value!r}; None is no limit")
+        raise GroundrollError(f"{where} must be finite, not {value!r}; None is no limit")
     if len(found) == 2 and found[0].value > found[1].value:
-        raise GroundloopError(
+        raise GroundrollError(
             f"{where}: the bounds are crossed, at least {show(found[0].value, kind)} but at most"
             f" {show(found[1].value, kind)}"
         )
     if name == "damping_ratio" and not 0 < found[0].value <= 1:
-        raise GroundloopError(
+        raise GroundrollError(
             f"{where} must be above 0 and at most 1, not {found[0].value:g}: from 1 on no mode"
             " oscillates"
         )
     if name == "displacement" and found[0].value <= 0:
-        raise GroundloopError(f"{where} must be positive, not {found[0].value:g} m")
+        raise GroundrollError(f"{where} must be positive, not {found[0].value:g} m")
     return found
 
 

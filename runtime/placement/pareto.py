@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundloop.arrays import FloatArray
-from groundloop.errors import GroundloopError, unknown
-from groundloop.listing import Pictured
-from groundloop.progress import Count, Progress, counted
+from groundroll.arrays import FloatArray
+from groundroll.errors import GroundrollError, unknown
+from groundroll.listing import Pictured
+from groundroll.progress import Count, Progress, counted
 
 from .assess import assess, worst_displacement
 from .case import Case
@@ -100,17 +100,17 @@ def front(case: Case, against: str, points: int = 13, progress: Progress = None)
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If the other means nothing for the layout, or no placement satisfies the limits.
     """
     if against not in AGAINST:
         raise unknown("Pareto axis", against, AGAINST, "pareto")
     if case.layout not in KINDS[against].layouts:
-        raise GroundloopError(f"pareto: {against} means nothing for a {case.layout}")
+        raise GroundrollError(f"pareto: {against} means nothing for a {case.layout}")
     if KINDS[against].symbol in ("nose_over", "tip_back") and not np.isfinite(case.numbers["h_cg"]):
-        raise GroundloopError(f"pareto: {against} needs cg_height (h_cg) of the aircraft")
+        raise GroundrollError(f"pareto: {against} needs cg_height (h_cg) of the aircraft")
     if points < 2:
-        raise GroundloopError(f"pareto: a front has at least 2 points, not {points}")
+        raise GroundrollError(f"pareto: a front has at least 2 points, not {points}")
     with counted(progress, "placements", points) as done:
         return _front(case, against, points, done)
 
@@ -161,7 +161,7 @@ def _extreme(case: Case) -> float:
     solution = exchange(problem, begin(bare), elastic=True, giving=giving).solution
     last = case.bounds[-1]
     if not solution.ok:
-        raise GroundloopError(f"pareto: the best {last.limit} within the limits was not found")
+        raise GroundrollError(f"pareto: the best {last.limit} within the limits was not found")
     # a hair inside, where the sweep has room to move
     step = 1e-6 * last.kind.step
     return float(last.value - last.sign * (solution.slack[-1] + step))

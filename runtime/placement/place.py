@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from groundloop.aircraft import Aircraft
-from groundloop.progress import Progress, counted
+from groundroll.aircraft import Aircraft
+from groundroll.progress import Progress, counted
 
 from .assess import Assessment, assess, here
 from .conflict import infeasible
@@ -90,7 +90,7 @@ def place_gear(
     ------
     InfeasibleError
         If nothing satisfies every limit; it says which conflict, and by how much.
-    GroundloopError
+    GroundrollError
         For anything that is missing, unknown, crossed, empty or at odds.
     """
     case = resolve(

@@ -10,9 +10,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from groundloop.arrays import FloatArray
-from groundloop.integration import integrator
-from groundloop.names import signature
+from groundroll.arrays import FloatArray
+from groundroll.integration import integrator
+from groundroll.names import signature
 
 from .case import DESIGN, Case, split, symbolic, vector
 from .envelope import AXES

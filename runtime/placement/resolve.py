@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from groundloop import generated
-from groundloop.aircraft import Aircraft
-from groundloop.arrays import finite
-from groundloop.errors import GroundloopError, unknown
-from groundloop.generated.names import QUANTITIES
-from groundloop.names import signature
+from groundroll import generated
+from groundroll.aircraft import Aircraft
+from groundroll.arrays import finite
+from groundroll.errors import GroundrollError, unknown
+from groundroll.generated.names import QUANTITIES
+from groundroll.names import signature
 
 from .case import THIRD, VARIABLES, Case, Variable
 from .envelope import Axis, Envelope, numbers
@@ -44,7 +44,7 @@ def resolve(
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         For unknown names, bounds that are crossed, parameters that are missing or at odds.
     """
     if objective not in OBJECTIVES:
@@ -90,7 +90,7 @@ def _today(plane: Aircraft) -> dict[str, float]:
         if arm in plane.given:
             follows = plane.replace(**{arm: None})[arm]
             if not np.allclose(plane[arm], follows, rtol=0, atol=1e-6):
-                raise GroundloopError(
+                raise GroundrollError(
                     f"{QUANTITIES[arm].name} ({arm}) of aircraft {plane.name} is given as"
                     f" {float(plane[arm]):g} m, but {QUANTITIES[station].name} puts it at"
                     f" {float(follows):g} m. A gear is fixed to the airframe: give its station,"
@@ -110,7 +110,7 @@ def _with_nose(
     if layout == "tricycle" and np.isnan(today["x_nose"]):
         free = {v.symbol: v for v in chosen}
         if "x_nose" not in free:
-            raise GroundloopError(
+            raise GroundrollError(
                 "a tricycle needs nose_wheel_station (x_nose): give it to the aircraft, as in"
                 " plane.replace(nose_wheel_station='-45 in'), or among the variables"
             )
@@ -133,25 +133,25 @@ def _variables(
             raise unknown("variable", name, VARIABLES, "place_gear")
         symbol, where = VARIABLES[name], f"variables[{name!r}]"
         if not isinstance(bounds, tuple | list) or len(bounds) != 2:
-            raise GroundloopError(f"{where} must be (low, high), not {bounds!r}")
+            raise GroundrollError(f"{where} must be (low, high), not {bounds!r}")
         unit = QUANTITIES[symbol].unit
         low, high = (float(x) for x in finite(where, numbers(bounds, unit, where)))
         if low > high:
-            raise GroundloopError(f"{where}: the bounds are crossed, {low:g} above {high:g} {unit}")
+            raise GroundrollError(f"{where}: the bounds are crossed, {low:g} above {high:g} {unit}")
         if low == high:
-            raise GroundloopError(
+            raise GroundrollError(
                 f"{where} leaves no choice, both bounds are {low:g} {unit}; to hold a value, set"
                 " it with plane.replace"
             )
         if symbol in ("Ap", "kappa") and low < 0:
-            raise GroundloopError(f"{where} must not be negative, but begins at {low:g} {unit}")
+            raise GroundrollError(f"{where} must not be negative, but begins at {low:g} {unit}")
         if symbol == "kappa" and today["kappa"] == 0:
-            raise GroundloopError(
+            raise GroundrollError(
                 "tail_wheel_scale has nothing to scale: the tail wheel is free, or the aircraft"
                 " has none"
             )
         if symbol == "x_nose" and ahead:
-            raise GroundloopError("nose_wheel_station means nothing for a taildragger")
+            raise GroundrollError("nose_wheel_station means nothing for a taildragger")
         chosen.append(Variable(name, symbol, low, high))
     _check_order(chosen, layout, cg, today)
     return tuple(chosen)
@@ -164,14 +164,14 @@ def _check_order(chosen: list[Variable], layout: str, cg: Axis, today: Mapping[s
     main, third = box["x_main"], box[THIRD[layout]]
     apart = main[1] < third[0] if layout == "taildragger" else third[1] < main[0]
     if np.isfinite(third).all() and not apart:
-        raise GroundloopError(
+        raise GroundrollError(
             f"main gear ({shown(main[0], 'mm')} to {shown(main[1], 'mm')} behind the datum) and"
             f" {LOAD[layout].removesuffix('_load').replace('_', ' ')} ({shown(third[0], 'mm')} to"
             f" {shown(third[1], 'mm')}) may meet: a {layout} has its main gear"
             f" {'ahead of' if layout == 'taildragger' else 'behind'} it; change the bounds"
         )
     if box["x_tail"][0] <= cg.high:
-        raise GroundloopError(
+        raise GroundrollError(
             f"the tail ({shown(box['x_tail'][0], 'mm')} behind the datum) must be behind the CG"
             f" (to {shown(cg.high, 'mm')})"
         )
@@ -190,7 +190,7 @@ def _complete(bounds: tuple[Bound, ...], objective: str) -> tuple[Bound, ...]:
 def _positive(name: str, value: Any) -> float:
     number = float(finite(name, value))
     if number <= 0:
-        raise GroundloopError(f"{name} must be positive, not {number:g}")
+        raise GroundrollError(f"{name} must be positive, not {number:g}")
     return number
 
 
@@ -252,13 +252,13 @@ def _references(
     if not shifted:
         return {**references, "K1": 1.0, "K2": 0.0, "K3": 0.0, "K4": 0.0}
     if len(curve) < 4:
-        raise GroundloopError(
+        raise GroundrollError(
             "Envelope.tail_load needs the tail wheel's stiffness over load: give tail_wheel_K1"
             f" to tail_wheel_K4 to aircraft {plane.name}, or leave tail_load at 1"
         )
     static = plane.replace(f=None, F_tail_load=None)
     if "F_tail_load" not in static or not static["F_tail_load"] > 0:
-        raise GroundloopError(
+        raise GroundrollError(
             f"the tail wheel of aircraft {plane.name} carries nothing today, so its stiffness of"
             f" {references['Ct_0']:g} N/rad belongs to no load and Envelope.tail_load cannot"
             " scale it: leave tail_load at 1, or let the stiffness follow (Ct=None,"
@@ -277,7 +277,7 @@ def _require_following(plane: Aircraft, has_tail_wheel: bool) -> None:
     """Stiffnesses can't both be given and follow."""
     for s in _given(plane, has_tail_wheel):
         name = QUANTITIES[s].name
-        raise GroundloopError(
+        raise GroundrollError(
             f"{name} ({s}) of aircraft {plane.name} is given, so it cannot follow the gear:"
             f" replace({s}=None), --set {s}= on the command line, or stiffness='constant'"
         )

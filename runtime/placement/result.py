@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundloop.aircraft import Aircraft
-from groundloop.consistency import as_written
-from groundloop.generated.names import QUANTITIES
-from groundloop.listing import Pictured
-from groundloop.progress import Progress
-from groundloop.simulation import Trajectory, simulate
-from groundloop.units import from_si
+from groundroll.aircraft import Aircraft
+from groundroll.consistency import as_written
+from groundroll.generated.names import QUANTITIES
+from groundroll.listing import Pictured
+from groundroll.progress import Progress
+from groundroll.simulation import Trajectory, simulate
+from groundroll.units import from_si
 
 from .assess import Assessment, Standing, Worst
 from .case import VARIABLES, Case
@@ -126,7 +126,7 @@ class Placement(Pictured):
     def pareto(
         self, against: str = "nose_over", points: int = 13, progress: Progress = None
     ) -> Front:
-        """The front of the margin against something else; see `groundloop.placement.pareto`."""
+        """The front of the margin against something else; see `groundroll.placement.pareto`."""
         from .pareto import front
 
         return front(self.case, against, points, progress)

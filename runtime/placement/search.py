@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundloop.arrays import FloatArray
-from groundloop.errors import GroundloopError
+from groundroll.arrays import FloatArray
+from groundroll.errors import GroundrollError
 
 from .envelope import Axis, corners, grid, product
 from .problem import Problem
@@ -154,7 +154,7 @@ def exchange(
         if not worse:
             return Found(solution, points, round_)
         points = {s: np.append(values, [at[s] for at in worse]) for s, values in points.items()}
-    raise GroundloopError(
+    raise GroundrollError(
         f"the worst points of the envelope still move after {_ROUNDS} rounds; narrow the envelope"
         " or the bounds of the variables"
     )

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundloop.aircraft import Aircraft
+from groundroll.aircraft import Aircraft
 
 from .assess import Assessment, assess
 from .conflict import InfeasibleError

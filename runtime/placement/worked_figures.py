@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundloop.plots import COLOURS, DASHES, INK, MUTED, style
+from groundroll.plots import COLOURS, DASHES, INK, MUTED, style
 
 from .envelope import grid
 

@@ -13,7 +13,7 @@ import json
 from dataclasses import dataclass
 from pathlib import Path
 
-from groundloop.progress import Progress, counted
+from groundroll.progress import Progress, counted
 
 __all__ = ["Summary", "run"]
 
@@ -76,10 +76,10 @@ def run(out: str | Path, progress: Progress = None) -> Summary:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If the folder cannot be written to.
     """
-    from groundloop.placement.worked import steps, worked_study
+    from groundroll.placement.worked import steps, worked_study
 
     from . import figures, report
     from .figure_svg import as_svg

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundloop.aircraft import Aircraft
-from groundloop.linearization import Linearization, linearize
-from groundloop.metrics import Metrics
-from groundloop.simulation import Trajectory, simulate
-from groundloop.tire_data import TireData
-from groundloop.tire_fit import TireFit, fit_tire
+from groundroll.aircraft import Aircraft
+from groundroll.linearization import Linearization, linearize
+from groundroll.metrics import Metrics
+from groundroll.simulation import Trajectory, simulate
+from groundroll.tire_data import TireData
+from groundroll.tire_fit import TireFit, fit_tire
 
 from .sources import Trial, setup, trials
 

@@ -9,7 +9,7 @@ from xml.sax.saxutils import escape
 
 from matplotlib.figure import Figure
 
-from groundloop.plots import style
+from groundroll.plots import style
 
 
 def as_svg(figure: Figure, number: str, name: str) -> str:
@@ -26,7 +26,7 @@ _NO_METADATA: dict[str, Any] = dict.fromkeys(("Creator", "Date", "Format", "Type
 def _salted(number: str) -> Any:
     import matplotlib as mpl
 
-    settings: Any = {"svg.hashsalt": f"groundloop {number}"}
+    settings: Any = {"svg.hashsalt": f"groundroll {number}"}
     return mpl.rc_context(settings)
 
 

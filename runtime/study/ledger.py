@@ -11,9 +11,9 @@ from functools import partial
 from itertools import permutations
 from typing import Any
 
-from groundloop.aircraft import Aircraft
-from groundloop.generated.names import QUANTITIES
-from groundloop.units import from_si
+from groundroll.aircraft import Aircraft
+from groundroll.generated.names import QUANTITIES
+from groundroll.units import from_si
 
 from .cases import Case, case, tire_fit, tire_fit_in_pounds
 from .sources import Column, Coverage, Table, Tolerance, errata, setup, tables

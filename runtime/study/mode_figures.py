@@ -9,10 +9,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundloop.generated.names import QUANTITIES
-from groundloop.linearization import linearize
-from groundloop.plots import COLOURS, DASHES, INK, MUTED
-from groundloop.units import from_si
+from groundroll.generated.names import QUANTITIES
+from groundroll.linearization import linearize
+from groundroll.plots import COLOURS, DASHES, INK, MUTED
+from groundroll.units import from_si
 
 from .cases import case
 from .figure_legends import place_legend, sorted_pair, trial_label

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from groundloop.errors import GroundloopError
+from groundroll.errors import GroundrollError
 
 
 @contextmanager
@@ -29,7 +29,7 @@ def whole(target: Path, last: Sequence[str]) -> Iterator[Path]:
 
     Raises
     ------
-    GroundloopError
+    GroundrollError
         If the folder cannot be written to.
     """
     existed = target.is_dir()
@@ -58,5 +58,5 @@ def _move(scratch: Path, target: Path, last: Sequence[str]) -> None:
         os.replace(scratch / name, target / name)
 
 
-def _unwritable(target: Path, problem: OSError) -> GroundloopError:
-    return GroundloopError(f"cannot write the study to {target}: {problem.strerror}")
+def _unwritable(target: Path, problem: OSError) -> GroundrollError:
+    return GroundrollError(f"cannot write the study to {target}: {problem.strerror}")

@@ -5,11 +5,11 @@ from __future__ import annotations
 import platform
 from importlib.metadata import version
 
-from groundloop.generated.names import DIGEST
+from groundroll.generated.names import DIGEST
 
 from .sources import digest, setup
 
-_PACKAGES = ("groundloop", "casadi", "numpy", "matplotlib")
+_PACKAGES = ("groundroll", "casadi", "numpy", "matplotlib")
 
 
 def provenance() -> dict[str, str]:

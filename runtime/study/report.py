@@ -17,7 +17,7 @@ from .provenance import provenance
 from .sources import Table, citation, errata, figures, placement_captions, sections, tables
 
 if TYPE_CHECKING:
-    from groundloop.placement.worked import WorkedStudy
+    from groundroll.placement.worked import WorkedStudy
 
 _MARKS = {"agrees": "✓", "explained": "E", "differs": "✗"}
 
@@ -34,7 +34,7 @@ def html(cells: Sequence[Cell], drawings: Mapping[str, str], placement: WorkedSt
     placement : WorkedStudy
         Where the wheels should stand.
     """
-    folder = resources.files("groundloop.study")
+    folder = resources.files("groundroll.study")
     environment = jinja2.Environment(
         autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
     )

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundloop.plots import COLOURS, DASHES, MUTED, axis_label, in_shown_unit
+from groundroll.plots import COLOURS, DASHES, MUTED, axis_label, in_shown_unit
 
 from .cases import Case, case
 from .figure_legends import place_legend, sorted_pair, trial_label
@@ -18,7 +18,7 @@ from .sources import FigureSpec, figure_words, setup
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from groundloop.arrays import FloatArray
+    from groundroll.arrays import FloatArray
 
 #: How a model is drawn where both are: the non-linear as a band, the linear as dashes upon it.
 _OVERLAY: Mapping[str, Mapping[str, Any]] = {

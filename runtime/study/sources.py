@@ -252,7 +252,7 @@ def citation() -> str:
 @cache
 def digest() -> str:
     """A digest of every data file of the study."""
-    folder = resources.files("groundloop.study") / "data"
+    folder = resources.files("groundroll.study") / "data"
     found = hashlib.sha256()
     for path in sorted(folder.iterdir(), key=lambda p: p.name):
         found.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
@@ -315,7 +315,7 @@ def _csv(name: str) -> list[dict[str, str]]:
 
 
 def _text(name: str) -> str:
-    path = resources.files("groundloop.study") / "data" / name
+    path = resources.files("groundroll.study") / "data" / name
     return path.read_text(encoding="utf-8")
 
 

@@ -9,11 +9,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundloop.aircraft import Aircraft
-from groundloop.evaluate import elementwise
-from groundloop.generated.names import QUANTITIES
-from groundloop.plots import COLOURS, DASHES, INK, axis_label
-from groundloop.units import from_si, to_si
+from groundroll.aircraft import Aircraft
+from groundroll.evaluate import elementwise
+from groundroll.generated.names import QUANTITIES
+from groundroll.plots import COLOURS, DASHES, INK, axis_label
+from groundroll.units import from_si, to_si
 
 from .cases import case, tire_fit
 from .figure_legends import place_legend
@@ -22,7 +22,7 @@ from .sources import FigureSpec, figure_words, setup, tables
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from groundloop.arrays import FloatArray
+    from groundroll.arrays import FloatArray
 
 
 def _parameter_sets(names: Sequence[str]) -> dict[str, Mapping[str, Any]]:

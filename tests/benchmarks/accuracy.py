@@ -16,10 +16,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-import groundloop as gl
-from groundloop.ensemble_plan import plan, smallest_kernel
-from groundloop.generated import kernels
-from groundloop.names import signature
+import groundroll as gr
+from groundroll.ensemble_plan import plan, smallest_kernel
+from groundroll.generated import kernels
+from groundroll.names import signature
 
 COUNT, TIMES, REFERENCE = 50_000, 101, 1e-13
 TOLERANCES = (1e-4, 1e-6, 1e-9)
@@ -54,11 +54,11 @@ CLOUDS = (
 )
 
 
-def draw(cloud: Cloud, seed: int) -> tuple[gl.Aircraft, dict[str, np.ndarray]]:
+def draw(cloud: Cloud, seed: int) -> tuple[gr.Aircraft, dict[str, np.ndarray]]:
     """Aircraft and initial states."""
     rng = np.random.default_rng(seed)
     a, Ct, u = rng.uniform((-1, 0, 15), (1, 8000, 40), (COUNT, 3)).T
-    plane = gl.Aircraft.load("brott").replace(**{"b": 3.92176, "C5": -8.81055e-6} | cloud.changes)
+    plane = gr.Aircraft.load("brott").replace(**{"b": 3.92176, "C5": -8.81055e-6} | cloud.changes)
     start = {"v0": rng.uniform(0.01, cloud.v0, COUNT), "r0": rng.uniform(-1, 1, COUNT) * cloud.r0}
     return plane.replace(a=a, Ct=Ct, speed=u), start
 
@@ -72,7 +72,7 @@ class Found(NamedTuple):
     steps: np.ndarray
 
 
-def by_ensemble(cloud: Cloud, plane: gl.Aircraft, start: dict[str, Any], tol: float) -> Found:
+def by_ensemble(cloud: Cloud, plane: gr.Aircraft, start: dict[str, Any], tol: float) -> Found:
     at = np.linspace(0.0, cloud.t, TIMES)
     planned = plan(plane, cloud.t, "nonlinear", at, cloud.states, 1e-6, COUNT, start)
     task = dataclasses.replace(planned.task(range(COUNT)), tol=tol)
@@ -81,14 +81,14 @@ def by_ensemble(cloud: Cloud, plane: gl.Aircraft, start: dict[str, Any], tol: fl
     return Found(rows, done.status == 0, done.estimate, done.steps)
 
 
-def by_ensemble_end(cloud: Cloud, plane: gl.Aircraft, start: dict[str, Any], tol: float) -> Found:
+def by_ensemble_end(cloud: Cloud, plane: gr.Aircraft, start: dict[str, Any], tol: float) -> Found:
     planned = plan(plane, cloud.t, "nonlinear", None, cloud.states, 1e-6, COUNT, start)
     done = kernels.integrate(dataclasses.replace(planned.task(range(COUNT)), tol=tol), threads=2)
     rows = np.stack([done.final[s] for s in cloud.states], axis=1)[:, :, None]
     return Found(rows, done.status == 0, done.estimate, done.steps)
 
 
-def by_solver(cloud: Cloud, plane: gl.Aircraft, start: dict[str, Any], tol: float) -> Found:
+def by_solver(cloud: Cloud, plane: gr.Aircraft, start: dict[str, Any], tol: float) -> Found:
     kernel = smallest_kernel("nonlinear", cloud.states)
     at = np.linspace(0.0, cloud.t, TIMES)
     solve = kernels.Stepper(kernel, at, tol, cloud.states)
@@ -154,7 +154,7 @@ def picture(rows: list[Row], path: Path) -> None:
     mpl.use("Agg")
     from matplotlib import pyplot
 
-    from groundloop.plots import INK, style
+    from groundroll.plots import INK, style
 
     share = np.geomspace(1.0 / COUNT, 1.0, 300)
     with style():

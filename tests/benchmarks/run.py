@@ -1,4 +1,4 @@
-"""groundloop, the limit of the machine and other tools, side by side: `make bench`.
+"""groundroll, the limit of the machine and other tools, side by side: `make bench`.
 
 Each peer runs in its own environment, or as a program of the system, and is left out, as missing,
 where there is none; `--install` makes the environments. The table and the picture go to `results/`.
@@ -82,7 +82,7 @@ def collect(folder: Path, venvs: Path, peers: list[str]) -> tuple[list[Row], dic
     """Rows of every tool that is there, and why the others are not."""
     rows = list(run([sys.executable, str(HERE / "ours.py"), str(folder)]))
     if not rows:
-        sys.exit("groundloop itself did not run")
+        sys.exit("groundroll itself did not run")
     missing = {}
     for name in peers:
         interpreter = python(venvs, name)
@@ -140,7 +140,7 @@ def report(rows: list[Row], missing: dict[str, str]) -> str:
         "Ratio: time over that of hand-written C for exactly this model (`limit.c`), which knows",
         "the answer; median of samples that alternate with it. Error: measured against 80-bit",
         "arithmetic, worst over trajectories and states. Every tool has the coarsest tolerance (of",
-        "two a decade) with which it meets the error; *tol = error* is groundloop given the error",
+        "two a decade) with which it meets the error; *tol = error* is groundroll given the error",
         "that is wanted, without knowing the answer.",
         "",
     ]
@@ -154,7 +154,7 @@ def report(rows: list[Row], missing: dict[str, str]) -> str:
             for row in sorted(same, key=lambda r: (r["threads"], r["ratio"])):
                 error = "–" if row["error"] is None else f"{row['error']:.1e}"
                 name = f"{row['tool']}, {row['variant']}"
-                name = f"**{name}**" if row["tool"] == "groundloop" else name
+                name = f"**{name}**" if row["tool"] == "groundroll" else name
                 lines.append(
                     f"| {name} | {row['threads']} | {row['setting']} | {error}"
                     f" | {duration(row['seconds'])} | {digits(row['ratio'])} |"
@@ -183,7 +183,7 @@ def picture(rows: list[Row], path: Path) -> None:
     mpl.use("Agg")
     from matplotlib import pyplot
 
-    from groundloop.plots import COLOURS, INK, style
+    from groundroll.plots import COLOURS, INK, style
 
     jobs = [(job, target) for job in ("E10000", "S") for target in (1e-6, 1e-9)]
     with style():
@@ -193,11 +193,11 @@ def picture(rows: list[Row], path: Path) -> None:
             for row in rows:
                 if (row["job"], row["target"], row["threads"]) == (job, target, 1):
                     name = row["tool"]
-                    if name == "groundloop" and row["variant"] != "tuned":
-                        name = "groundloop, tol = error"
+                    if name == "groundroll" and row["variant"] != "tuned":
+                        name = "groundroll, tol = error"
                     best[name] = min(best.get(name, float("inf")), row["ratio"])
             names = sorted(best, key=lambda n: -best[n])
-            ours = [COLOURS[0] if n.startswith("groundloop") else "#B8B8B8" for n in names]
+            ours = [COLOURS[0] if n.startswith("groundroll") else "#B8B8B8" for n in names]
             values = [best[n] for n in names]
             ax.barh(names, values, color=ours, edgecolor=INK, linewidth=0.5)
             for k, value in enumerate(values):
