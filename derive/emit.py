@@ -18,7 +18,7 @@ from .kernels import Kernel, SweepKernels, integration_kernels, stability_sweep
 from .shipped import integrators
 
 HERE = Path(__file__).resolve().parent
-SHIPPED = ("integrators.py", "kernels.py", "library.py")
+SHIPPED = ("compiler.py", "integrators.py", "kernels.py", "library.py")
 _SOURCES = {".py", ".c", ".json"}
 
 

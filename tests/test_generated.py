@@ -305,148 +305,7 @@ def test_generated_python_is_ordinary(name: str):
     assert [f.name for f in public if not ast.get_docstring(f)] == []
 
 
-# --- The library ----------------------------------------------------------------------------
-
-#: Prints two functions from two C files: how each is evaluated, and its value.
-USE = """
-from groundroll.generated import load
-for name, arguments in (("magic_formula", [1, .8, 1.2, 1, .4]), ("f_follows", [4, 5])):
-    function = load(name)
-    print(function.class_name(), *[float(x).hex() for x in function.call(arguments)])
-"""
-
-
-def use(folder: Path, script: str = USE, **environment: str) -> tuple[list[str], list[str]]:
-    """What a fresh interpreter with this cache folder prints, and how it warns."""
-    run = subprocess.run(
-        [sys.executable, "-W", "always", "-c", script],
-        env={**os.environ, "GROUNDROLL_CACHE": str(folder), **environment},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
-    return run.stdout.splitlines(), re.findall(r"Warning: (.*)", run.stderr)
-
-
-def interpreted(lines: list[str]) -> list[str]:
-    return [line.replace("External", "SXFunction") for line in lines]
-
-
-@pytest.fixture(scope="module")
-def filled(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[str]]:
-    """A cache folder that holds two libraries, and what they print."""
-    folder = tmp_path_factory.mktemp("cache") / "not" / "yet" / "there"
-    printed, warned = use(folder)
-    assert [line.split()[0] for line in printed] == ["External", "External"]
-    assert warned == []
-    return folder, printed
-
-
-def test_the_cache_holds_each_library_once_and_nothing_else(filled: tuple[Path, list[str]]):
-    folder, printed = filled
-    before = {path.name: path.stat().st_mtime_ns for path in folder.iterdir()}
-    assert use(folder) == (printed, [])
-    assert {path.name: path.stat().st_mtime_ns for path in folder.iterdir()} == before
-    assert sorted(re.sub(r"-\w{20}", "", name) for name in before) == [
-        *("loads.sha256", "loads.so", "tire.sha256", "tire.so")
-    ]
-
-
-@pytest.mark.parametrize("damage", ["garbage", "cut short", "empty", "seal gone"])
-def test_a_damaged_library_is_compiled_again(
-    damage: str, filled: tuple[Path, list[str]], tmp_path: Path
-):
-    folder, printed = filled
-    copy = tmp_path / "cache"
-    copy.mkdir()
-    for path in folder.iterdir():
-        (copy / path.name).write_bytes(path.read_bytes())
-    (victim,) = copy.glob("tire-*.so")
-    good = victim.read_bytes()
-    if damage == "seal gone":
-        victim.with_suffix(".sha256").unlink()
-    else:
-        bad = {"garbage": b"not a library", "cut short": good[: len(good) // 2], "empty": b""}
-        victim.write_bytes(bad[damage])
-
-    again, warned = use(copy)
-    assert again == printed
-    assert warned == [f"{victim} is damaged; compiling it again"]
-    assert use(copy) == (printed, [])
-
-
-def test_two_processes_may_compile_at_once(filled: tuple[Path, list[str]], tmp_path: Path):
-    _, printed = filled
-    command = [sys.executable, "-W", "error", "-c", USE]
-    environment = {**os.environ, "GROUNDROLL_CACHE": str(tmp_path / "cache")}
-    both = [
-        subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
-        for _ in range(2)
-    ]
-    assert [process.communicate()[0].splitlines() for process in both] == [printed, printed]
-
-
-def test_a_cache_folder_that_cannot_be_written_is_done_without(
-    filled: tuple[Path, list[str]], tmp_path: Path
-):
-    _, printed = filled
-    temporary, file = tmp_path / "temporary", tmp_path / "file"
-    temporary.mkdir()
-    file.write_text("a folder cannot be made below a file, not even by root")
-    again, warned = use(file / "cache", TMPDIR=str(temporary))
-    assert again == printed
-    assert len(warned) == 1
-    assert f"cannot write to the cache folder {file / 'cache'} (Not a directory)" in warned[0]
-    assert "Set GROUNDROLL_CACHE" in warned[0]
-    assert list(temporary.iterdir()) == []  # what it made instead is gone
-
-
-@pytest.mark.parametrize("wanted", ["cc", "no-such-compiler"])
-def test_without_a_compiler_the_virtual_machine_gives_the_same_numbers(
-    wanted: str, filled: tuple[Path, list[str]], tmp_path: Path
-):
-    _, printed = filled
-    again, warned = use(tmp_path / "cache", PATH=str(tmp_path), CC=wanted)
-    assert again == interpreted(printed)
-    assert len(warned) == 1
-    assert f"no C compiler ({wanted} is not on the PATH; set CC)" in warned[0]
-    assert "CasADi's virtual machine" in warned[0]
-
-
-def fake_compiler(path: Path, text: str) -> Path:
-    path.write_text(text)
-    path.chmod(0o755)
-    return path
-
-
-def test_a_compiler_that_does_not_work_is_done_without(
-    filled: tuple[Path, list[str]], tmp_path: Path
-):
-    broken = fake_compiler(tmp_path / "broken", "#!/bin/sh\necho no licence >&2\nexit 1\n")
-    again, warned = use(tmp_path / "cache", CC=str(broken))
-    assert again == interpreted(filled[1])
-    assert len(warned) == 1
-    assert f"{broken} failed: no licence" in warned[0]
-
-
-def test_a_compiler_that_fails_on_every_file_is_complained_about_once(
-    filled: tuple[Path, list[str]], tmp_path: Path
-):
-    script = '#!/bin/sh\ncase "$*" in *-E*) exit 0;; esac\necho disk full >&2\nexit 1\n'
-    full = fake_compiler(tmp_path / "full", script)
-    again, warned = use(tmp_path / "cache", CC=str(full))
-    assert again == interpreted(filled[1])
-    assert len(warned) == 1
-
-
-def test_a_compiler_that_cannot_be_run_is_done_without(
-    filled: tuple[Path, list[str]], tmp_path: Path
-):
-    garbage = fake_compiler(tmp_path / "garbage", "\x7fnot a program")
-    again, warned = use(tmp_path / "cache", CC=str(garbage))
-    assert again == interpreted(filled[1])
-    assert len(warned) == 1
+# --- Functions by name ------------------------------------------------------------------
 
 
 def test_stale_c_is_refused(tmp_path: Path):
@@ -454,7 +313,7 @@ def test_stale_c_is_refused(tmp_path: Path):
     text = (library.SOURCES / "tire.c").read_text()
     old.write_text(text.replace(generated.DIGEST, "0123456789abcdef"))
     with pytest.raises(generated.StaleError, match=r"tire\.c .*run `make derive`"):
-        library.compiled(old)
+        library.compiled(old, symbol="magic_formula")
 
 
 @pytest.mark.parametrize("get", [generated.load, generated.build])
@@ -468,20 +327,6 @@ def test_functions_are_attributes():
     assert set(generated.FUNCTIONS) < set(dir(generated))
     with pytest.raises(AttributeError, match="nonlinear_rk54"):
         _ = generated.nonlinear_rk54
-
-
-def test_whoever_sits_at_a_terminal_hears_of_compilation(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-):
-    monkeypatch.setattr(library, "_cache_folder", lambda: tmp_path)
-    library.compiled(library.SOURCES / "kick.c")
-    assert capsys.readouterr().err == ""
-    for file in tmp_path.iterdir():
-        file.unlink()
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    library.compiled(library.SOURCES / "kick.c")
-    library.compiled(library.SOURCES / "kick.c")
-    assert capsys.readouterr().err == "\rcompiling kick, once for this machine\n"
 
 
 def test_a_misspelt_function_is_answered_with_the_nearest():
