@@ -1,29 +1,70 @@
-"""Files that appear only when they are complete."""
+"""Files that appear only when they are complete, and reading that comes to an end."""
 
 from __future__ import annotations
 
 import os
+import shutil
+import stat
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from .errors import GroundrollError
+
+#: Where a path stands for what a process has opened, whatever that is.
+_OPENED = "/proc/"
 
 
 @contextmanager
 def complete(path: Path) -> Iterator[Path]:
     """A file to write to, of the same name, that takes the place of `path` if all goes well.
 
+    Links are followed, and a file that is replaced keeps its mode and, where that is allowed, its
+    owner. Into what is no ordinary file (a device, a pipe, ``>(...)`` of a shell) what was written
+    is copied once it is complete.
+
     Raises
     ------
     GroundrollError
-        If the folder is not there or cannot be written to.
+        If the folder is not there or cannot be written to, or the path is that of a folder.
     """
     try:
-        with tempfile.TemporaryDirectory(dir=path.parent, prefix=".unfinished-") as folder:
+        target = _followed(path)
+        before = target.stat() if target.exists() else None
+        if before and stat.S_ISDIR(before.st_mode):
+            raise IsADirectoryError(0, "it is a folder")
+        through = before and not (stat.S_ISREG(before.st_mode) and not _is_opened(target))
+        place = None if through else target.parent
+        with tempfile.TemporaryDirectory(dir=place, prefix=".unfinished-") as folder:
             draft = Path(folder) / path.name
             yield draft
-            os.replace(draft, path)
+            if through:
+                with draft.open("rb") as source, target.open("wb") as sink:
+                    shutil.copyfileobj(source, sink)
+                return
+            if before:
+                _take_over(draft, before)
+            os.replace(draft, target)
     except OSError as problem:
-        raise GroundrollError(f"cannot write {path}: {problem.strerror}") from problem
+        raise GroundrollError(f"cannot write {path}: {problem.strerror or problem}") from problem
+
+
+def _followed(path: Path) -> Path:
+    """What a path leads to through links; for what a process has opened, the way to it."""
+    for _ in range(40):
+        if not path.is_symlink() or _is_opened(path):
+            return path
+        path = path.parent / os.readlink(path)
+    raise OSError(0, "too many links")
+
+
+def _is_opened(path: Path) -> bool:
+    return os.path.realpath(path.parent).startswith(_OPENED)
+
+
+def _take_over(draft: Path, before: os.stat_result) -> None:
+    """Give a file the owner and the mode of the one whose place it takes."""
+    with suppress(AttributeError, PermissionError):
+        os.chown(draft, before.st_uid, before.st_gid)
+    draft.chmod(stat.S_IMODE(before.st_mode))

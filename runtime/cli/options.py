@@ -325,7 +325,7 @@ def draw(
     drawn = figure()
     with complete(path) as draft:
         try:
-            drawn.savefig(draft)
+            drawn.savefig(draft, format=path.suffix[1:] or "png")
         except ValueError as problem:
             raise GroundrollError(f"cannot write the picture {path}: {problem}") from problem
         finally:

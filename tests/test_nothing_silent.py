@@ -1,0 +1,131 @@
+"""Nothing silent, nothing hanging: odd surroundings are answered, or refused in words."""
+
+import os
+import stat
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import groundroll as gr
+from groundroll.errors import GroundrollError
+from groundroll.files import complete
+from groundroll.generated import kernels
+
+
+def write(path: Path, text: str = "new") -> None:
+    with complete(path) as draft:
+        draft.write_text(text)
+
+
+# --- Threads --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("threads", [3, 100_000, 10**12, 2**63, 10**30])
+def test_more_threads_than_help_are_not_made(threads: int):
+    plane = gr.Aircraft.load("brott")
+    v0 = np.linspace(0.0, 0.1, 5)
+    few, many = (gr.ensemble(plane, t=0.5, v0=v0, threads=n) for n in (1, threads))
+    assert (few["v"] == many["v"]).all()
+    speeds = np.linspace(5.0, 60.0, 1000)
+    few, many = (gr.sweep(plane, threads=n, speed=speeds) for n in (1, threads))
+    assert (few["re_1"] == many["re_1"]).all()
+
+
+def test_threads_are_bounded_by_processors_and_by_work(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(kernels, "processors", lambda: 8)
+    assert [kernels._useful(*case) for case in ((1, 9), (4, 9), (99, 9), (99, 3), (4, 0))] == [
+        *(1, 4, 8, 3, 1)
+    ]
+
+
+# --- Writing --------------------------------------------------------------------------------
+
+
+def test_a_new_file_has_the_usual_mode_and_an_old_one_keeps_its_own(tmp_path: Path):
+    new, old, plain = tmp_path / "new", tmp_path / "old", tmp_path / "plain"
+    plain.write_text("as usual")
+    write(new)
+    assert new.stat().st_mode == plain.stat().st_mode
+    old.write_text("old")
+    old.chmod(0o600)
+    write(old)
+    assert old.read_text() == "new"
+    assert stat.S_IMODE(old.stat().st_mode) == 0o600
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["new", "old", "plain"]
+
+
+def test_an_ordinary_file_is_replaced_all_at_once(tmp_path: Path):
+    path = tmp_path / "file"
+    path.write_text("old")
+    with path.open() as reader:
+        write(path)
+        assert reader.read() == "old"
+    with pytest.raises(UnicodeEncodeError):
+        write(path, "half \ud800")
+    assert path.read_text() == "new"
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
+
+
+def test_links_are_followed(tmp_path: Path):
+    (tmp_path / "there").mkdir()
+    real, link, chain = tmp_path / "there" / "real", tmp_path / "link", tmp_path / "chain"
+    link.symlink_to("there/real")
+    chain.symlink_to(link)
+    write(chain)
+    assert chain.is_symlink()
+    assert link.is_symlink()
+    assert real.read_text() == "new"
+    loop = tmp_path / "loop"
+    loop.symlink_to(loop)
+    with pytest.raises(GroundrollError, match=r"cannot write .*loop: "):
+        write(loop)
+
+
+def test_a_device_stays_a_device(tmp_path: Path):
+    before = os.stat(os.devnull)
+    write(Path(os.devnull))
+    link = tmp_path / "nowhere.csv"
+    link.symlink_to(os.devnull)
+    write(link)
+    after = os.stat(os.devnull)
+    assert stat.S_ISCHR(after.st_mode)
+    assert (after.st_ino, after.st_mode) == (before.st_ino, before.st_mode)
+    assert link.is_symlink()
+
+
+def test_a_full_device_is_an_error_in_words():
+    if not Path("/dev/full").exists():
+        pytest.skip("there is no /dev/full")
+    with pytest.raises(GroundrollError, match=r"cannot write /dev/full: No space left"):
+        write(Path("/dev/full"))
+
+
+def test_a_pipe_gets_what_was_written(tmp_path: Path):
+    pipe = tmp_path / "pipe.csv"
+    os.mkfifo(pipe)
+    got: list[str] = []
+    reader = threading.Thread(target=lambda: got.append(pipe.read_text()))
+    reader.start()
+    write(pipe)
+    reader.join(timeout=10)
+    assert got == ["new"]
+    assert stat.S_ISFIFO(pipe.stat().st_mode)
+
+
+def test_a_folder_is_refused_in_words(tmp_path: Path):
+    with pytest.raises(GroundrollError, match=r"cannot write .*: it is a folder"):
+        write(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("option", ["--out >(cat)", "--out /dev/stdout", "--format csv"])
+def test_a_shell_may_take_what_is_written(option: str, tmp_path: Path):
+    command = f"{sys.executable} -m groundroll linearize brott --format csv {option} | cat"
+    run = subprocess.run(
+        ["bash", "-c", command], capture_output=True, text=True, cwd=tmp_path, check=True
+    )
+    assert run.stdout.startswith("quantity,row,column,value\n"), run.stderr
