@@ -1,4 +1,4 @@
-# Generated from derive/ (digest f81e774fc1366460) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Kernels for many aircraft at once: compiled on first use, called with NumPy arrays.
 
 They are compiled for the processor at hand, so AVX2 or AVX-512 is used where it is there, and
@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .library import SOURCES, NoCompilerError, compiled, say_once
+from .compiler import NoCompilerError, opened
+from .library import SOURCES, compiled, say_once, say_slower
 from .names import KERNELS, MODELS, SWEEPS
 
 FloatArray = npt.NDArray[np.float64]
@@ -62,6 +63,16 @@ def _after_fork() -> None:
 
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_after_fork)
+
+
+def processors() -> int:
+    """How many processors this process may run on."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _useful(threads: int, count: int) -> int:
+    """As many threads as help: OpenMP ends the process if it cannot make all it is asked for."""
+    return 1 if _forked else max(1, min(threads, count, processors()))
 
 
 class _Job(ctypes.Structure):
@@ -150,7 +161,7 @@ def rows(kernel: str) -> tuple[str, ...]:
 def can_compile(kernel: str) -> bool:
     """Whether a kernel can be compiled here; says so once if not."""
     try:
-        _load(f"{kernel}_ensemble")
+        _load(f"{kernel}_ensemble", "integrate")
     except NoCompilerError as problem:
         say_once(
             "kernels",
@@ -193,7 +204,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
     job = _Job(
         n=n,
         max_steps=_MAX_STEPS,
-        threads=1 if _forked else threads,
+        threads=_useful(threads, n),
         n_times=moments.size,
         observed=not wanted <= set(states),
         t_end=task.t,
@@ -213,7 +224,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
         largest=tables["largest"].address() if task.watched else None,
         first=tables["first"].address(),
     )
-    _load(f"{task.kernel}_ensemble").integrate(ctypes.byref(job))
+    _load(f"{task.kernel}_ensemble", "integrate").integrate(ctypes.byref(job))
     return outcome
 
 
@@ -296,7 +307,7 @@ class Stepper:
             samples=samples.address(),
         )
         self._reference = ctypes.byref(self._job)
-        self._trace = _load(f"{kernel}_trajectory").trace
+        self._trace = _load(f"{kernel}_trajectory", "trace").trace
 
     def __call__(self, x0: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
         """Rows over time; NaN after an early end, of which `status` tells the reason."""
@@ -327,9 +338,10 @@ def can_sweep(function: str) -> bool:
     if function not in SWEEPS:
         return False
     try:
-        _load(SWEEPS[function], _UNCONTRACTED)
-    except NoCompilerError:
-        return False  # said by `library.load`, which takes its place
+        _sweeper(function)
+    except NoCompilerError as problem:
+        say_slower(problem)
+        return False
     return True
 
 
@@ -360,27 +372,26 @@ def sweep(
         If there is no C compiler.
     """
     given, made = _Pointers(arguments), _Pointers(results)
-    threads = 1 if _forked else threads
     sweeper = _sweeper(function)
-    sweeper(count, threads, given.address(), given.stride_address(), made.address())
+    sweeper(count, _useful(threads, count), given.address(), given.stride_address(), made.address())
 
 
 @cache
 def _sweeper(function: str) -> Any:
-    kernel = getattr(_load(SWEEPS[function], _UNCONTRACTED), f"sweep_{function}")
+    symbol = f"sweep_{function}"
+    kernel = getattr(_load(SWEEPS[function], symbol, _UNCONTRACTED), symbol)
     kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
     return kernel
 
 
 @cache
-def _load(c_file: str, *more: str) -> ctypes.CDLL:
-    """A kernel's library, compiled with the first flags that the compiler knows."""
-    problem: Exception = NoCompilerError(f"{c_file} was not compiled")
+def _load(c_file: str, symbol: str, *more: str) -> ctypes.CDLL:
+    """A kernel's library with this function, compiled with the first flags that give one."""
+    problem = NoCompilerError(f"{c_file} was not compiled")
     for flags in _FLAGS:
         try:
-            library = ctypes.CDLL(str(compiled(SOURCES / f"{c_file}.c", (*flags, *more))))
-        except (NoCompilerError, OSError) as found:
+            library = compiled(SOURCES / f"{c_file}.c", (*flags, *more), symbol=symbol)
+            return opened(library, symbol)
+        except NoCompilerError as found:
             problem = found
-        else:
-            return library
-    raise NoCompilerError(str(problem)) from problem
+    raise problem

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest f81e774fc1366460) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Compiled functions by name: compiled on first use, cached by content, loaded as externals.
 
 Set ``GROUNDROLL_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import atexit
 import difflib
+import errno
 import hashlib
 import importlib
 import os
-import shlex
 import shutil
-import subprocess
 import sys
 import tempfile
+import time
 import warnings
 from collections.abc import Sequence
 from functools import cache
@@ -24,20 +24,19 @@ from pathlib import Path
 
 import casadi as ca
 
+from .compiler import NoCompilerError, compiler, make, opened
 from .names import DIGEST, FUNCTIONS
 
 #: Contraction is off so that compiled code and virtual machine agree to the last bit or nearly so.
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off", "-fPIC", "-shared")
+#: Seconds after which a folder that somebody compiled in was left behind by a killed process.
+_LEFT = 3600.0
 #: Folder of the C files.
 SOURCES = Path(__file__).resolve().parent / "c"
 
 
 class StaleError(RuntimeError):
     """C code and Python code come from different equations."""
-
-
-class NoCompilerError(RuntimeError):
-    """No C compiler that does what is asked; the message says what was tried."""
 
 
 @cache
@@ -58,12 +57,12 @@ def load(name: str) -> ca.Function:
     """
     source = SOURCES / f"{_entry(name)[2]}.c"
     try:
-        return ca.external(name, str(compiled(source)))
+        library = compiled(source, symbol=name)
+        opened(library, name)
     except NoCompilerError as problem:
-        say_once(
-            "compiler", f"{problem}; using CasADi's virtual machine, which is several times slower"
-        )
+        say_slower(problem)
         return build(name)
+    return ca.external(name, str(library))
 
 
 def build(name: str) -> ca.Function:
@@ -79,32 +78,32 @@ def build(name: str) -> ca.Function:
     return function
 
 
-def compiled(source: Path, flags: tuple[str, ...] = FLAGS) -> Path:
+def compiled(source: Path, flags: tuple[str, ...] = FLAGS, *, symbol: str) -> Path:
     """Path of the shared library of a C file, compiled now if it is not in the cache.
 
-    The name of the library holds a hash of source, flags, compiler and processor, so a library
-    is never rebuilt under a path that a running process may have loaded.
+    The name of the library holds a hash of source, flags, compiler, processor and C library, so a
+    library is never rebuilt under a path that a running process may have loaded. It is in the cache
+    only once a process has loaded it and found the function `symbol`.
 
     Raises
     ------
     StaleError
         If the C code does not belong to these equations.
     NoCompilerError
-        If it cannot be compiled, or not with these flags.
+        If it cannot be compiled, or not with these flags, or what was compiled cannot be loaded.
     """
     text = source.read_bytes()
     if DIGEST.encode() not in text[:400]:
         raise StaleError(f"{source} was not generated with this package; run `make derive`")
-    compiler, target = _compiler(flags)
-    key = hashlib.sha256(b"\0".join([text, " ".join(flags).encode(), target.encode()])).hexdigest()[
-        :20
-    ]
+    command, target = compiler(flags)
+    parts = (text, *(part.encode() for part in (" ".join(flags), target)))
+    key = hashlib.sha256(b"\0".join(parts)).hexdigest()[:20]
     library = _cache_folder() / f"{source.stem}-{key}.so"
     if not library.exists():
-        _compile(compiler, flags, source, library)
+        _compile(command, flags, source, library, symbol)
     elif not _is_intact(library):
         warnings.warn(f"{library} is damaged; compiling it again", stacklevel=3)
-        _compile(compiler, flags, source, library)
+        _compile(command, flags, source, library, symbol)
     return library
 
 
@@ -115,42 +114,36 @@ def _entry(name: str) -> tuple[str, str, str]:
     return FUNCTIONS[name]
 
 
-@cache
-def _compiler(flags: tuple[str, ...]) -> tuple[tuple[str, ...], str]:
-    """Command of the C compiler, and its version and target processor as it describes them."""
-    program, *options = shlex.split(os.environ.get("CC") or "cc")
-    path = shutil.which(program)
-    if path is None:
-        raise NoCompilerError(f"no C compiler ({program} is not on the PATH; set CC)")
-    command = (path, *options)
-    return command, _run([*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
-
-
-def _run(command: Sequence[str]) -> str:
-    """What a command prints; `NoCompilerError` if it fails."""
-    try:
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-    except OSError as problem:
-        raise NoCompilerError(f"{command[0]} cannot be run: {problem.strerror}") from problem
-    if result.returncode != 0:
-        raise NoCompilerError(f"{command[0]} failed: {result.stderr.strip()}")
-    return result.stdout
-
-
-def _compile(compiler: Sequence[str], flags: tuple[str, ...], source: Path, library: Path) -> None:
+def _compile(
+    command: Sequence[str], flags: tuple[str, ...], source: Path, library: Path, symbol: str
+) -> None:
     """Compile beside the target and move into place, so that nobody sees half a library.
 
     Whoever sits at a terminal is told, because it may take seconds; over a line of patience.
     """
     if sys.stderr is not None and sys.stderr.isatty():
         print(f"\rcompiling {source.stem}, once for this machine", file=sys.stderr)
-    with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:
-        product = Path(folder) / library.name
-        _run([*compiler, *flags, str(source), "-o", str(product), "-lm"])
-        seal = _seal(product)
-        seal.write_text(hashlib.sha256(product.read_bytes()).hexdigest())
-        os.replace(seal, _seal(library))
-        os.replace(product, library)
+    _clean(library.parent)
+    try:
+        with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:
+            product = Path(folder) / library.name
+            make(command, flags, source, product, symbol)
+            seal = _seal(product)
+            seal.write_text(hashlib.sha256(product.read_bytes()).hexdigest())
+            os.replace(seal, _seal(library))
+            os.replace(product, library)
+    except OSError as problem:  # the disk is full
+        raise NoCompilerError(f"{library} cannot be written: {problem.strerror}") from problem
+
+
+def _clean(folder: Path) -> None:
+    """Remove what killed processes have left."""
+    for left in folder.glob("build-*"):
+        try:
+            if time.time() - left.stat().st_mtime > _LEFT:
+                shutil.rmtree(left, ignore_errors=True)
+        except OSError:
+            continue  # it has just been removed
 
 
 def _seal(library: Path) -> Path:
@@ -166,22 +159,54 @@ def _is_intact(library: Path) -> bool:
 
 @cache
 def _cache_folder() -> Path:
-    """The user's cache folder, or a temporary one for this process if that can't be written."""
-    base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    folder = Path(os.environ.get("GROUNDROLL_CACHE") or Path(base) / "groundroll").resolve()
+    """The user's cache folder, or a temporary one for this process if that can't be used."""
+    folder: Path | str = "of a user without a home"
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+        folder = Path(os.environ.get("GROUNDROLL_CACHE") or Path(base) / "groundroll").resolve()
+        for each in (*reversed(folder.parents), folder):
+            if not each.exists():
+                each.mkdir(mode=0o700, exist_ok=True)
+        _refuse_unfit(folder)
         with tempfile.TemporaryFile(dir=folder):
             return folder
-    except OSError as problem:
-        temporary = tempfile.mkdtemp(prefix="groundroll-")
+    except (OSError, RuntimeError) as problem:  # RuntimeError: no home, or a loop of links
+        why = getattr(problem, "strerror", None) or problem
+    temporary = _temporary_folder()
+    say_once(
+        "cache",
+        f"cannot use the cache folder {folder} ({why}); compiling for this process only. Set"
+        " GROUNDROLL_CACHE to a folder that only you can write to",
+    )
+    return temporary
+
+
+def _temporary_folder() -> Path:
+    """A folder that goes with this process."""
+    try:
+        temporary = Path(tempfile.mkdtemp(prefix="groundroll-"))
         atexit.register(shutil.rmtree, temporary, ignore_errors=True)
-        say_once(
-            "cache",
-            f"cannot write to the cache folder {folder} ({problem.strerror}); compiling for this"
-            " process only. Set GROUNDROLL_CACHE to a folder that can be written",
-        )
-        return Path(temporary)
+        _refuse_unfit(temporary)
+    except OSError as problem:
+        raise NoCompilerError(f"no folder to compile in ({problem.strerror})") from problem
+    return temporary
+
+
+def _refuse_unfit(folder: Path) -> None:
+    """Raise OSError if what is in a folder may be another's, or cannot be loaded."""
+    about = folder.stat()
+    if hasattr(os, "geteuid") and about.st_uid != os.geteuid():
+        raise PermissionError(errno.EPERM, "it belongs to another user")
+    if hasattr(os, "geteuid") and about.st_mode & 0o022:
+        raise PermissionError(errno.EPERM, "others can write to it; chmod 700 makes it yours")
+    if hasattr(os, "ST_NOEXEC") and os.statvfs(folder).f_flag & os.ST_NOEXEC:
+        raise PermissionError(errno.EPERM, "nothing in it can be loaded: it is mounted noexec")
+
+
+def say_slower(problem: Exception) -> None:
+    """Warn that functions are not compiled."""
+    message = f"{problem}; using CasADi's virtual machine, which is several times slower"
+    say_once("compiler", message)
 
 
 def say_once(topic: str, message: str) -> None:

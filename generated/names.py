@@ -1,4 +1,4 @@
-# Generated from derive/ (digest f81e774fc1366460) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Names, units and meanings; signatures of the models; where each function is."""
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class Kernel(NamedTuple):
     states: tuple[str, ...]
 
 
-DIGEST = "f81e774fc1366460"
+DIGEST = "61dbe1126aa8d733"
 
 QUANTITIES = {
     q.symbol: q

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest f81e774fc1366460) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* Functions of named scalars at many points; p[k] is a column, or one number if its stride is 0,
  * and y[k] a column, or NULL if it is not wanted. */
 #include <math.h>
