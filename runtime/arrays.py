@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from decimal import Decimal
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -10,42 +12,58 @@ import numpy.typing as npt
 
 from .errors import GroundrollError
 from .generated.names import MODELS, QUANTITIES
-from .units import to_si
+from .units import UnitError, expected, to_si
 
 FloatArray = npt.NDArray[np.float64]
+
+#: What NumPy would make numbers of.
+_NO_NUMBERS = (bytes, bytearray, memoryview, np.ma.MaskedArray)
 
 _SIGNS = {">0": (np.greater, "positive"), ">=0": (np.greater_equal, "zero or positive")}
 
 
-def finite(name: str, value: Any, unit: str | None = None) -> FloatArray:
-    """`value` as an array of finite floats; strings in it have units, if the SI unit is told.
-
-    Raises
-    ------
-    GroundrollError
-        If it holds anything else; the message says what and where.
-    """
-    if unit is not None:
-        value = _in_si(name, value, unit)
-    try:
-        array = np.asarray(value, dtype=np.float64)
-        if np.asarray(value).dtype == np.bool_:
-            raise TypeError("a truth value is no number")
-    except (TypeError, ValueError) as problem:
-        raise GroundrollError(
-            f"{name} must be a number or an array of numbers, not {value!r}"
-        ) from problem
+def finite(name: str, value: Any, unit: str = "1") -> FloatArray:
+    """`value` as an array of finite floats; what it may be, and errors, as for `in_si`."""
+    array = in_si(name, value, unit)
     good = np.isfinite(array)
     if not good.all():
         raise GroundrollError(f"{name} must be finite, but {_where(name, array, ~good)}")
     return array
 
 
-def positive(name: str, value: Any, unit: str | None = None) -> float:
+def in_si(name: str, value: Any, unit: str = "1") -> FloatArray:
+    """`value` as an array of floats in an SI unit.
+
+    Parameters
+    ----------
+    name : str
+        What it is, for the error message.
+    value : float, array, str, quantity of pint, or lists of them
+        Numbers are in the SI unit; strings and quantities have units of their own.
+    unit : str, optional
+        The SI unit; a pure number if omitted.
+
+    Raises
+    ------
+    GroundrollError
+        If it holds anything else (a truth value, a date, a masked or complex number, bytes): what
+        NumPy would make a number of is not always what was meant.
+    """
+    if type(value) is np.ndarray and value.dtype.kind in "fiu":
+        return np.asarray(value, dtype=np.float64)
+    try:
+        return np.asarray(_in_si(name, value, unit), dtype=np.float64)
+    except GroundrollError:
+        raise
+    except (TypeError, ValueError, OverflowError, RecursionError) as problem:
+        raise _no_number(name, value) from problem
+
+
+def positive(name: str, value: Any, unit: str = "1") -> float:
     """`value` as one positive number."""
     number = finite(name, value, unit)
     if number.ndim or number <= 0:
-        raise GroundrollError(f"{name} must be a positive number, not {value!r}")
+        raise GroundrollError(f"{name} must be a positive number, not {_shown(value)}")
     return float(number)
 
 
@@ -53,7 +71,7 @@ def whole(name: str, value: Any, least: int) -> int:
     """`value` as a whole number, not below `least`."""
     number = finite(name, value)
     if number.ndim or number < least or number % 1:
-        raise GroundrollError(f"{name} must be a whole number from {least}, not {value!r}")
+        raise GroundrollError(f"{name} must be a whole number from {least}, not {_shown(value)}")
     return int(number)
 
 
@@ -126,10 +144,59 @@ def check_out(name: str, array: Any, shape: tuple[int, ...]) -> None:
 
 
 def _in_si(name: str, value: Any, unit: str) -> Any:
-    """`value` with numbers in the SI unit in place of strings."""
+    """`value` with numbers in the SI unit in place of strings and quantities."""
+    if type(value) in (float, int):
+        return value
     if isinstance(value, str):
         return to_si(value, unit, name)
-    return [_in_si(name, v, unit) for v in value] if isinstance(value, (list, tuple)) else value
+    if isinstance(value, (list, tuple)):
+        return [_in_si(name, v, unit) for v in value]
+    if hasattr(value, "to_root_units"):
+        return _of_quantity(name, value, unit)
+    if isinstance(value, _NO_NUMBERS) or (isinstance(value, np.ndarray) and _has_unit(value)):
+        raise _no_number(name, value)
+    array = np.asarray(value)
+    if array.dtype.kind in "fiu":
+        return array
+    if array.ndim and array.dtype.kind in "OU":
+        return _in_si(name, array.tolist(), unit)
+    if array.dtype.kind == "O" and isinstance(value, (Real, Decimal)):
+        return float(value)
+    raise _no_number(name, value)
+
+
+def _has_unit(array: Any) -> bool:
+    """Whether an array is one of another library (astropy, unyt) that hides a unit."""
+    return hasattr(array, "unit") or hasattr(array, "units")
+
+
+def _of_quantity(name: str, value: Any, unit: str) -> FloatArray:
+    """A quantity of pint, by the definitions of its own registry."""
+    none, root = type(value)(0.0, value.units).to_root_units(), value.to_root_units()
+    try:
+        if none.magnitude:
+            raise UnitError(name, "no multiple of an SI unit", expected(unit))
+        return finite(name, root.magnitude) * to_si(f"1 {root.units:D}", unit, name)
+    except UnitError as problem:
+        found = f"{_shown(value)}, {problem.found.rpartition(', ')[2]}"
+        raise UnitError(name, found, problem.expected) from None
+
+
+def _no_number(name: str, value: Any) -> GroundrollError:
+    plain = type(value) is np.ndarray
+    kind = f"{value.dtype} array" if plain else type(value).__name__
+    return GroundrollError(
+        f"{name} must be a number or an array of numbers, not {_shown(value)} ({kind})"
+    )
+
+
+def _shown(value: Any) -> str:
+    """A value as Python shows it, or the beginning of that."""
+    try:
+        text = " ".join(repr(value).split())
+    except (ValueError, RecursionError):  # an integer of thousands of digits, lists within lists
+        return "what is too long to show"
+    return text if len(text) <= 80 else f"{text[:77]}..."
 
 
 def _where(name: str, array: FloatArray, bad: npt.NDArray[np.bool_]) -> str:

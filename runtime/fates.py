@@ -87,7 +87,7 @@ def fates(
     when : ndarray
         s; NaN for those that do not straighten out in time.
     """
-    start = {"v": finite("v", v), "r": finite("r", r)}
+    start = {"v": finite("v", v, "m/s"), "r": finite("r", r, "rad/s")}
     shape = common_shape({**plane.given, **start})
     total = math.prod(shape)
     fate, when = np.empty(total, np.int8), np.empty(total)

@@ -63,7 +63,7 @@ class Gust:
     end: FloatArray = field(default_factory=lambda: np.asarray(np.inf))
 
     def __call__(self, t: Any) -> FloatArray:
-        times = finite("t", t)
+        times = finite("t", t, "s")
         if times.ndim == 0:
             return np.asarray(self(times[None])[..., 0])
         try:
@@ -73,7 +73,7 @@ class Gust:
                 f"{self.label} must take an array of times and give an array of forces; it failed:"
                 f" {problem}. numpy.vectorize makes such a function of one that takes a number"
             ) from problem
-        force = finite(f"the force of {self.label}", given)
+        force = finite(f"the force of {self.label}", given, "N")
         if force.shape[-1:] != times.shape:
             raise GroundrollError(
                 f"{self.label} must give one force for each of {times.size} times, along the last"

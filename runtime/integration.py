@@ -84,7 +84,7 @@ def integrator(
     signature(tire)
     if method not in METHODS:
         raise unknown("method", method, METHODS)
-    longest = _LONGEST[method] if step is None else float(finite("step", step))
+    longest = _LONGEST[method] if step is None else float(finite("step", step, "s"))
     if longest <= 0:
         raise GroundrollError(f"step must be positive, not {longest}")
     return _integrator(tire, method, tuple(_grid(t).tolist()), longest, bool(piecewise))
@@ -261,7 +261,7 @@ def _repeat(counts: Sequence[int]) -> list[int]:
 
 
 def _grid(t: Any) -> FloatArray:
-    times = np.atleast_1d(finite("t", t))
+    times = np.atleast_1d(finite("t", t, "s"))
     if times.ndim != 1 or times.size == 0:
         raise GroundrollError(
             f"t must be a number or a list of numbers, not of shape {times.shape}"

@@ -268,9 +268,9 @@ def columns_at(
     """States, inputs and parameters at operating points, one column per point, and their shape."""
     p, flat, shape = aircraft.columns(
         tire,
-        v=finite("at.v", at.v),
-        r=finite("at.r", at.r),
-        disturbance=finite("disturbance", at.disturbance),
+        v=finite("at.v", at.v, "m/s"),
+        r=finite("at.r", at.r, "rad/s"),
+        disturbance=finite("disturbance", at.disturbance, "N"),
     )
     zero = np.zeros(p.shape[1])
     x = np.stack([flat.get(s, zero) for s in signature(tire).states])

@@ -113,7 +113,9 @@ def frequency_response(
         For unknown names, frequencies that cannot be, or one at which the response is infinite.
     """
     B, C, D, names = _channel(lin, output, input)
-    omega = _default_frequencies(lin) if frequency is None else finite("frequency", frequency)
+    omega = (
+        _default_frequencies(lin) if frequency is None else finite("frequency", frequency, "rad/s")
+    )
     if omega.ndim != 1 or omega.size == 0 or (omega < 0).any():
         raise GroundrollError("frequency must be a list of numbers, zero or more, in rad/s")
     s = 1j * omega[:, None, None]

@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
-from .arrays import finite
+from .arrays import positive, whole
 from .errors import GroundrollError, unknown
 from .files import complete
 from .generated.names import QUANTITIES
@@ -32,8 +32,8 @@ _MARGIN = (0.8, 1.1)  # inches, for their labels
 def runway_view(
     run: Trajectory | Sequence[Trajectory],
     *,
-    width: float = 20.0,
-    every: float = 0.5,
+    width: float | str = 20.0,
+    every: float | str = 0.5,
     stretch: float = 1.0,
     labels: Sequence[str] | None = None,
     ax: Axes | None = None,
@@ -72,7 +72,8 @@ def runway_view(
     GroundrollError
         For a width, interval or stretch that is not positive, or too few or many labels.
     """
-    _check(width=width, every=every, stretch=stretch)
+    width, every = positive("width", width, "m"), positive("every", every, "s")
+    stretch = positive("stretch", stretch)
     rolls = _rolls(run, labels)
     with style():
         axes = _scene(rolls, width, stretch, ax)
@@ -94,7 +95,7 @@ def animate(
     run: Trajectory | Sequence[Trajectory],
     path: str | Path,
     *,
-    width: float = 20.0,
+    width: float | str = 20.0,
     stretch: float = 1.0,
     labels: Sequence[str] | None = None,
     fps: int = 20,
@@ -129,7 +130,9 @@ def animate(
     GroundrollError
         For another suffix, a writer that is not there, or numbers that are not positive.
     """
-    _check(width=width, stretch=stretch, fps=fps, slow_motion=slow_motion, dpi=dpi)
+    width, stretch = positive("width", width, "m"), positive("stretch", stretch)
+    fps, dpi = whole("fps", fps, 1), whole("dpi", dpi, 1)
+    slow_motion = positive("slow_motion", slow_motion)
     target = Path(path)
     writer = _writer(target, fps)
     rolls = _rolls(run, labels)
@@ -161,12 +164,6 @@ def animate(
             film = FuncAnimation(figure, draw, frames=len(times), init_func=list)
             film.save(draft, writer=writer, dpi=dpi, progress_callback=lambda *_: done.add())
     return target
-
-
-def _check(**positive: float) -> None:
-    for name, value in positive.items():
-        if not finite(name, value) > 0:
-            raise GroundrollError(f"{name} must be positive, not {value}")
 
 
 def _rolls(run: Trajectory | Sequence[Trajectory], labels: Sequence[str] | None) -> list[Roll]:

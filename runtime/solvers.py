@@ -57,7 +57,7 @@ def solver(
         For unknown names, times that do not increase, or `tol` outside what is offered.
     """
     model = signature(tire)
-    times = np.atleast_1d(finite("t", t))
+    times = np.atleast_1d(finite("t", t, "s"))
     if (
         times.ndim != 1
         or times.size == 0

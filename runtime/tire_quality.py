@@ -13,6 +13,7 @@ from .arrays import FloatArray, finite
 from .errors import GroundrollError, unknown
 from .evaluate import elementwise
 from .generated import build
+from .generated.names import QUANTITIES
 from .tire_data import TireData
 
 #: Symbols of the load dependence (straight lines) and of the magic formula.
@@ -142,7 +143,7 @@ def compare(
     Comparison
         One `Quality` for each set; its repr is a table.
     """
-    chosen = float(finite("load", np.median(data.loads) if load is None else load))
+    chosen = float(finite("load", np.median(data.loads) if load is None else load, "N"))
     if chosen <= 0:
         raise GroundrollError(f"load must be positive, not {chosen} N")
     rows = {name: _quality(data, name, parameters, chosen) for name, parameters in sets.items()}
@@ -173,7 +174,7 @@ def _forces(parameters: ParameterSet, alpha: FloatArray, Fz: FloatArray) -> Floa
 
 
 def _values(parameters: ParameterSet, symbols: Sequence[str]) -> dict[str, FloatArray]:
-    values = {s: finite(s, parameters[s]) for s in symbols}
+    values = {s: finite(s, parameters[s], QUANTITIES[s].unit) for s in symbols}
     for s, value in values.items():
         if value.ndim:
             raise GroundrollError(f"{s} must be one number here, not an array {value.shape}")

@@ -564,8 +564,8 @@ BAD_ENVELOPES: dict[str, tuple[dict[str, Any], str]] = {
     "worn away": ({"tire_wear": [0.0, 1.0]}, "tire_wear .* must be positive"),
     "not finite": ({"mass": float("nan")}, "must be finite"),
     "wrong unit": ({"speed": ("20 kg", "30 km/h")}, "Envelope.speed"),
-    "not a number": ({"cg": [None]}, "must be finite"),
-    "not numbers": ({"cg": [[1], [2, 3]]}, "Envelope.cg must be numbers"),
+    "not a number": ({"cg": [None]}, "Envelope.cg must be a number"),
+    "not numbers": ({"cg": [[1], [2, 3]]}, "Envelope.cg must be a number"),
 }
 
 
@@ -649,7 +649,7 @@ BAD_CALLS: dict[str, Bad] = {
         "carries nothing today",
     ),
     "no curve": ({"K1": None}, {"envelope": gr.Envelope(tail_load=(0.5, 1.0))}, "tail_wheel_K1"),
-    "time": ({}, {"t": 0.0}, "t must be positive"),
+    "time": ({}, {"t": 0.0}, "t must be a positive number"),
 }
 
 

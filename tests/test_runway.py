@@ -144,8 +144,8 @@ def test_a_film_without_ffmpeg_says_so(loop: gr.Trajectory, tmp_path: Path) -> N
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"width": 0.0}, "width must be positive"),
-        ({"every": -1.0}, "every must be positive"),
+        ({"width": 0.0}, "width must be a positive number"),
+        ({"every": -1.0}, "every must be a positive number"),
         ({"stretch": np.nan}, "stretch must be finite"),
         ({"labels": ["a", "b"]}, "1 runs but 2 labels"),
     ],

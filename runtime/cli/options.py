@@ -142,7 +142,7 @@ def _grid(key: str, name: str, text: str, unit: str) -> Grid:
     """A range as written, in the SI unit."""
     import numpy as np
 
-    from groundroll.units import to_si
+    from groundroll.units import parts, to_si
 
     low, high, points = _split(text) or ("", "", "")
     ends = [to_si(end, unit, name) for end in (low, high)]
@@ -151,8 +151,7 @@ def _grid(key: str, name: str, text: str, unit: str) -> Grid:
     count = int(points) if points else None
     if not (ends[0] < ends[1] and (count is None or count >= 2)):
         raise ValueError(f"found {name}={text!r}; expected low < high and 2 or more points")
-    shown = low.lstrip("+-0123456789.eE").strip()
-    return Grid(key, (key, np.linspace(ends[0], ends[1], count or _POINTS)), shown, count)
+    return Grid(key, (key, np.linspace(ends[0], ends[1], count or _POINTS)), parts(low)[1], count)
 
 
 class AircraftName(ParamType):

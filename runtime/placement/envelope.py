@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from groundroll.aircraft import Aircraft
-from groundroll.arrays import FloatArray, physical
+from groundroll.arrays import FloatArray, in_si, physical
 from groundroll.errors import GroundrollError
 from groundroll.generated.names import QUANTITIES
-from groundroll.units import to_si
 
 #: Field of an envelope -> symbol.
 AXES = {
@@ -202,8 +201,4 @@ def numbers(members: Any, unit: str, where: str) -> FloatArray:
     GroundrollError
         For anything that is neither.
     """
-    converted = [to_si(v, unit, where) if isinstance(v, str) else v for v in members]
-    try:
-        return np.array(converted, dtype=np.float64).reshape(-1)
-    except (TypeError, ValueError):
-        raise GroundrollError(f"{where} must be numbers, not {members!r}") from None
+    return in_si(where, list(members), unit).reshape(-1)

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundroll import generated
 from groundroll.aircraft import Aircraft
-from groundroll.arrays import finite
+from groundroll.arrays import finite, positive
 from groundroll.errors import GroundrollError, unknown
 from groundroll.generated.names import QUANTITIES
 from groundroll.names import signature
@@ -78,8 +78,8 @@ def resolve(
         today=_with_nose(today, layout, chosen),
         numbers=_numbers(plane, envelope, axes, bounds, stiffness, today["kappa"] > 0),
         tire=tire,
-        v0=_positive("v0", v0),
-        duration=_positive("t", duration),
+        v0=positive("v0", v0, "m/s"),
+        duration=positive("t", duration, "s"),
     )
 
 
@@ -187,13 +187,6 @@ def _complete(bounds: tuple[Bound, ...], objective: str) -> tuple[Bound, ...]:
     return bounds
 
 
-def _positive(name: str, value: Any) -> float:
-    number = float(finite(name, value))
-    if number <= 0:
-        raise GroundrollError(f"{name} must be positive, not {number:g}")
-    return number
-
-
 #: Functions whose arguments must be known, by model of the stiffness.
 _NEEDED = ("placement_margins", "placement_limits", "placement_tire")
 #: What is computed, chosen, or ranged over: never a fixed number.
@@ -231,7 +224,7 @@ def _numbers(
         if s in own:
             found[s] = own[s]
         elif s in plane or not optional:
-            found[s] = float(finite(s, plane[s]))
+            found[s] = float(plane[s])
         else:
             found[s] = np.nan
     return found
