@@ -24,6 +24,7 @@ from .arrays import FloatArray, as_inputs, finite
 from .chunks import check_memory
 from .errors import GroundrollError
 from .evaluate import columns
+from .gust_forces import OneMinusCosine, Samples, Step, Sum, Until
 from .names import signature
 
 #: Bytes for each millisecond in which a jump is looked for.
@@ -85,13 +86,16 @@ class Gust:
         if not isinstance(other, Gust):
             return NotImplemented
         return Gust(
-            lambda t: self(t) + other(t),
+            Sum((*self._parts(), *other._parts())),
             tuple(sorted({*self.breaks, *other.breaks})),
             f"{self.label} + {other.label}",
             self.complete and other.complete,
             np.minimum(self.start, other.start),
             np.maximum(self.end, other.end),
         )
+
+    def _parts(self) -> tuple[Callable[[FloatArray], Any], ...]:
+        return self.force.parts if isinstance(self.force, Sum) else (self,)
 
     def on_runs(self, tire: str, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
         """Inputs of a model on runs of some shape, shape (inputs, runs, times)."""
@@ -143,13 +147,8 @@ def one_minus_cosine(peak: Any, start: Any = 0.0, length: Any = 1.0) -> Gust:
     """
     height, begin = finite("peak", peak, "N"), finite("start", start, "s")
     duration = _positive("length", length, "s")
-
-    def force(t: FloatArray) -> FloatArray:
-        share = np.clip((t - begin[..., None]) / duration[..., None], 0.0, 1.0)
-        return np.asarray(height[..., None] / 2 * (1 - np.cos(2 * np.pi * share)))
-
     label = f"1-cosine gust of {_text(height)} N from {_text(begin)} s over {_text(duration)} s"
-    last = begin + duration
+    force, last = OneMinusCosine(height, begin, duration), begin + duration
     return Gust(force, _times(begin, last), label, start=begin, end=last)
 
 
@@ -166,19 +165,13 @@ def step(size: Any, start: Any = 0.0, end: Any = None) -> Gust:
         When it stops, s; never if omitted.
     """
     height, begin = finite("size", size, "N"), finite("start", start, "s")
-    last = None if end is None else finite("end", end, "s")
-    if last is not None and (last <= begin).any():
+    last = np.asarray(np.inf) if end is None else finite("end", end, "s")
+    if (last <= begin).any():
         raise GroundrollError(f"end must come after start, not {end} after {start}")
-
-    def force(t: FloatArray) -> FloatArray:
-        on = t >= begin[..., None]
-        if last is not None:
-            on = on & (t < last[..., None])
-        return np.asarray(height[..., None] * on)
-
-    until = "" if last is None else f" to {_text(last)} s"
+    until = "" if end is None else f" to {_text(last)} s"
     label = f"step of {_text(height)} N from {_text(begin)} s{until}"
-    constant = begin if last is None else last
+    constant = begin if end is None else last
+    force = Step(height, begin, last)
     return Gust(force, _times(begin, constant), label, start=begin, end=constant)
 
 
@@ -204,18 +197,11 @@ def sampled(t: Any, force: Any, *, hold: bool = False) -> Gust:
             f" shape {values.shape}"
         )
 
-    def held(at: FloatArray) -> FloatArray:
-        return values[..., np.maximum(np.searchsorted(times, at, side="right") - 1, 0)]
-
-    def joined(at: FloatArray) -> FloatArray:
-        rows = [np.interp(at, times, row) for row in values.reshape(-1, times.size)]
-        return np.array(rows).reshape(*values.shape[:-1], at.size)
-
     label = f"{times.size} samples from {times[0]:g} to {times[-1]:g} s"
     acts, changes = values != 0, np.diff(values, axis=-1, prepend=values[..., :1]) != 0
     first, last = acts.argmax(axis=-1), changes.shape[-1] - 1 - changes[..., ::-1].argmax(axis=-1)
     return Gust(
-        held if hold else joined,
+        Samples(times, values, hold),
         _times(times),
         label,
         start=np.where(first > 0, times[first - (0 if hold else 1)], -np.inf),
@@ -245,7 +231,7 @@ def of_time(
         return Gust(force, _times(jumps), label, complete=False)
     last = finite("end", end, "s")
     return Gust(
-        lambda t: force(np.minimum(t, last)),
+        Until(force, last),
         _times(jumps[jumps < last], last),
         label,
         complete=False,

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+import pickle
+from functools import reduce
 from itertools import pairwise
+from operator import add
 
 import numpy as np
 import pytest
@@ -229,3 +232,18 @@ def test_bad_functions_of_time_are_named(plane: gr.Aircraft, force: object, mess
 )
 def test_start_and_end_of_a_gust(gust: gusts.Gust, start: float, end: float) -> None:
     assert (gust.start, gust.end) == (pytest.approx(start), pytest.approx(end))
+
+
+@pytest.mark.parametrize("name", [name for name in GUSTS if name != "smooth"])
+def test_a_run_with_a_gust_can_be_sent_to_another_process(plane: gr.Aircraft, name: str):
+    run = gr.simulate(plane, disturbance=GUSTS[name], t=2.5, samples=26)
+    back = pickle.loads(pickle.dumps(run))
+    assert (back["v"] == run["v"]).all()
+    assert back.gust.label == run.gust.label
+    assert (back.gust(T) == GUSTS[name](T)).all()
+
+
+def test_a_sum_of_many_gusts_is_no_deeper_than_one(plane: gr.Aircraft):
+    many = reduce(add, [gusts.step(1.0, 0.01 * k) for k in range(1500)])
+    assert many(T) == pytest.approx(np.floor(np.round(T / 0.01, 6)) + 1)
+    assert (pickle.loads(pickle.dumps(many))(T) == many(T)).all()

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import importlib
 import json
+import pickle
 import zipfile
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -98,6 +100,13 @@ def test_what_is_kept_comes_back_as_it_was(name: str, suffix: str, tmp_path: Pat
     assert list(back.to_xarray()) == list(result.to_xarray())
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
     assert_same(gr.Result.load(path), result)
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_results_can_be_sent_to_other_processes(name: str) -> None:
+    result = kept(name)
+    assert_same(pickle.loads(pickle.dumps(result)), result)
+    assert_same(copy.deepcopy(result), result)
 
 
 def test_every_kind_of_result_can_be_kept() -> None:
