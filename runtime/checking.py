@@ -206,7 +206,7 @@ def _number(bound: Any, s: str) -> float:
 def _shown(s: str, value: FloatArray) -> str:
     """A value in words, a fraction in percent and an angle in degrees."""
     if s == "third_load":
-        return f"{100 * np.ravel(value)[0]:.1f} %"
+        return f"{100 * float(np.ravel(value)[0]):.1f} %"
     if QUANTITIES[s].unit == "rad":
         return f"{np.degrees(np.ravel(value)[0]):.1f} deg"
     return in_words(s, value)
@@ -237,7 +237,10 @@ def _stability(plane: Aircraft) -> Iterator[str]:
     """Where the linear model is unstable."""
     try:
         window = speed_window(plane)
-    except GroundrollError:
+    except NotGivenError:
+        return
+    except GroundrollError as problem:
+        yield f"whether the linear model is stable is not known: {problem}"
         return
     unit = as_written(plane, "u")[1]
     low, high = (np.ravel(v) * from_si(1.0, "m/s", unit) for v in (window.low, window.high))

@@ -32,6 +32,13 @@ class UnknownNameError(GroundrollError, KeyError):
         return str(self.args[0])
 
 
+def beyond(what: str) -> GroundrollError:
+    """The error for numbers whose products leave what a double can hold (1e-308 to 1e308)."""
+    return GroundrollError(
+        f"{what} cannot be computed: numbers so large or so small leave the range of floating point"
+    )
+
+
 def unknown(kind: str, name: str, allowed: Iterable[str], where: str = "") -> UnknownNameError:
     """The error for an unknown name, with the nearest right ones."""
     choices = list(allowed)

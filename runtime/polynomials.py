@@ -6,8 +6,12 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import FloatArray
+from .errors import beyond
 
 ComplexArray = npt.NDArray[np.complex128]
+
+#: A leading coefficient so small beside another puts a root beyond what a number can hold.
+_NOTHING = 1e-300
 
 
 def roots(coefficients: FloatArray) -> ComplexArray:
@@ -22,10 +26,19 @@ def roots(coefficients: FloatArray) -> ComplexArray:
     -------
     complex ndarray, shape (n, ...)
         The roots; NaN beyond the degree. A polynomial that is zero has none.
+
+    Raises
+    ------
+    GroundrollError
+        If a coefficient is not finite.
     """
+    if not np.isfinite(coefficients).all():
+        raise beyond("the roots of a polynomial")
     size, *shape = coefficients.shape
     flat = coefficients.reshape(size, -1)
-    degrees = np.where(flat != 0, np.arange(size)[:, None], 0).max(axis=0)
+    size_of = np.abs(flat)
+    counts = (size_of > _NOTHING * size_of.max(axis=0)) & (flat != 0)
+    degrees = np.where(counts, np.arange(size)[:, None], 0).max(axis=0)
     found = np.full((size - 1, flat.shape[1]), np.nan, dtype=np.complex128)
     for degree in np.unique(degrees[degrees > 0]):
         which = np.flatnonzero(degrees == degree)

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, finite
-from .errors import GroundrollError
+from .errors import GroundrollError, beyond
 from .evaluate import columns, elementwise
 from .linearization import OperatingPoint, modes_of
 from .listing import Listed
@@ -212,7 +212,10 @@ class _Balance:
         """The generated equilibrium function at slip angles of the aircraft `case`."""
         parameters = dict(zip(signature(self.tire).parameters, self.p[:, case], strict=True))
         arguments = {"alpha": alpha, "F_disturbance": self.force[case], **parameters}
-        return elementwise(f"{self.tire}_equilibrium", arguments)
+        found = elementwise(f"{self.tire}_equilibrium", arguments)
+        if not all(np.isfinite(values).all() for values in found.values()):
+            raise beyond("the balance of moments")
+        return found
 
     def moment(self, alpha: FloatArray, case: Any) -> FloatArray:
         """The sum of moments, N m: zero in a steady turn."""
@@ -267,10 +270,11 @@ def _roots(balance: _Balance, slip: float) -> tuple[_Found, BoolArray]:
     values = balance.at(grid[:, None])
     singular: BoolArray = np.all(_is_flat(values), axis=0)
     M, slope = values["sum_M"], values["d_sum_M_d_alpha"]
-    node, node_case = np.nonzero((M == 0) & ~singular)
-    cell, case = np.nonzero((M[:-1] * M[1:] < 0) & ~singular)
+    side = np.sign(M)
+    node, node_case = np.nonzero((side == 0) & ~singular)
+    cell, case = np.nonzero((side[:-1] * side[1:] < 0) & ~singular)
     low, high = grid[cell], grid[cell + 1]
-    near_low, near_high, near_case = _near_extrema(balance, grid, M, slope)
+    near_low, near_high, near_case = _near_extrema(balance, grid, side, np.sign(slope))
     low, high = np.concatenate([low, near_low]), np.concatenate([high, near_high])
     case = np.concatenate([case, near_case])
     alpha = np.concatenate([grid[node], _bisected(balance.moment, low, high, case)])
@@ -280,18 +284,18 @@ def _roots(balance: _Balance, slip: float) -> tuple[_Found, BoolArray]:
 
 
 def _near_extrema(
-    balance: _Balance, grid: FloatArray, M: FloatArray, slope: FloatArray
+    balance: _Balance, grid: FloatArray, side: FloatArray, slope: FloatArray
 ) -> tuple[FloatArray, FloatArray, npt.NDArray[np.intp]]:
-    """Brackets of pairs of equilibria between neighbouring samples.
+    """Brackets of pairs of equilibria between neighbouring samples, from the signs at these.
 
     Between two samples of one sign the balance may dip through zero and return: then it has an
     extremum there, of the other sign.
     """
-    dips = (M[:-1] * M[1:] > 0) & (M[:-1] * slope[:-1] < 0) & (M[1:] * slope[1:] > 0)
+    dips = (side[:-1] * side[1:] > 0) & (side[:-1] * slope[:-1] < 0) & (side[1:] * slope[1:] > 0)
     cell, case = np.nonzero(dips)
     low, high = grid[cell], grid[cell + 1]
     extremum = _bisected(balance.slope, low, high, case)
-    through = balance.moment(extremum, case) * M[cell, case] <= 0
+    through = np.sign(balance.moment(extremum, case)) * side[cell, case] <= 0
     low, extremum, high = low[through], extremum[through], high[through]
     case = case[through]
     return (
@@ -322,6 +326,8 @@ def _polished(balance: _Balance, found: _Found) -> _Found:
     (rates,) = columns(f"{balance.tire}_rhs", x, u, p)
     for _ in range(_POLISH):
         A = _state_matrices(balance.tire, x, u, p)
+        if not np.isfinite(A).all():
+            raise beyond("the equilibrium")
         step = np.linalg.pinv(A) @ rates[:, dynamic]
         trial = x.copy()
         trial[dynamic] -= step[:, :, 0].T

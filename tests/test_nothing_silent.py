@@ -5,15 +5,20 @@ import stat
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import groundroll as gr
+from groundroll.aircraft import parameter_symbols
 from groundroll.errors import GroundrollError
 from groundroll.files import complete
 from groundroll.generated import kernels
+from groundroll.polynomials import roots
 
 
 def write(path: Path, text: str = "new") -> None:
@@ -129,3 +134,38 @@ def test_a_shell_may_take_what_is_written(option: str, tmp_path: Path):
         ["bash", "-c", command], capture_output=True, text=True, cwd=tmp_path, check=True
     )
     assert run.stdout.startswith("quantity,row,column,value\n"), run.stderr
+
+
+# --- Numbers beyond all measure -------------------------------------------------------------
+
+ASKED: dict[str, Callable[[gr.Aircraft], Any]] = {
+    "check": gr.check,
+    "speed window": gr.speed_window,
+    "margins": gr.margins,
+    "gear limit": lambda plane: gr.gear_limit(plane, loads="follow"),
+    "gear envelope": lambda plane: gr.gear_envelope(plane, loads="follow"),
+    "linearize": gr.linearize,
+    "trim": gr.trim,
+    "sweep": gr.sweep,
+}
+
+
+@pytest.mark.parametrize("what", ASKED)
+def test_numbers_beyond_all_measure_are_answered_or_refused(what: str):
+    plane = gr.Aircraft.load("brott")
+    for s in parameter_symbols():
+        for value in (1e300, -1e300, 1e-300):
+            with suppress(GroundrollError):  # anything else is a failure, warnings among it
+                repr(ASKED[what](plane.replace(**{s: value})))
+
+
+def test_check_says_that_it_cannot_say_where_the_model_is_stable():
+    found = gr.check(gr.Aircraft.load("brott").replace(m=1e300))
+    assert any("cannot be computed: numbers so large" in note for note in found.notes)
+
+
+def test_a_leading_coefficient_that_is_nothing_beside_the_others_is_dropped():
+    with_tiny = np.array([[2.0], [-1.0], [1e-305]])
+    assert roots(with_tiny)[0, 0] == 2.0
+    with pytest.raises(GroundrollError, match="the roots of a polynomial cannot be computed"):
+        roots(np.array([[1.0], [np.inf]]))
