@@ -7,18 +7,19 @@ import difflib
 import sys
 from pathlib import Path
 
-from .emit import HERE, files, write
+from .emit.pack import write
+from .emit.tree import HERE, files
 
 
 def main() -> int:
     """Entry point; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m groundroll.derive", description=__doc__)
     parser.add_argument("--check", action="store_true", help="compare instead of writing")
-    parser.add_argument("--out", type=Path, default=HERE.parent / "generated")
+    parser.add_argument("--out", type=Path, default=HERE.parent.parent / "generated")
     options = parser.parse_args()
     if options.check:
         return check(options.out)
-    write(options.out)
+    write(options.out, files())
     return 0
 
 
@@ -28,7 +29,7 @@ def check(folder: Path) -> int:
     there = {
         path.relative_to(folder).as_posix(): path.read_text()
         for path in sorted(folder.rglob("*"))
-        if path.suffix in (".py", ".c", ".md")
+        if path.suffix in (".py", ".c", ".md", ".json")
     }
     differing = [n for n in sorted({*fresh, *there}) if fresh.get(n) != there.get(n)]
     for name in differing:

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """The C compiler, whatever the user calls one, and whether what it makes can be loaded."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Integrators over one interval of time, built on a right-hand side.
 
 Time is scaled to the interval, so its length is an argument and not part of the code: one
@@ -56,3 +56,28 @@ def interval(rhs: ca.Function, name: str, method: str) -> ca.Function:
 def derivatives(function: ca.Function) -> list[ca.Function]:
     """The function with the derivatives an optimiser asks for: fwd1, adj1 and fwd1_adj1."""
     return [function, function.forward(1), function.reverse(1), function.reverse(1).forward(1)]
+
+
+def jacobians(rhs: ca.Function, outputs: ca.Function, name: str) -> ca.Function:
+    """Jacobians of states and outputs by differentiation of the whole chain.
+
+    Parameters
+    ----------
+    rhs, outputs : casadi.Function
+        (x, u, p) -> xdot and (x, u, p) -> y.
+    name : str
+        Name of the result.
+
+    Returns
+    -------
+    casadi.Function
+        (x, u, p) -> fx, fu, fp, gx, gu, gp.
+    """
+    arguments = [ca.SX.sym(s, rhs.size1_in(k)) for k, s in enumerate("xup")]
+    results = [
+        ca.densify(ca.cse(ca.jacobian(function(*arguments), argument)))
+        for function in (rhs, outputs)
+        for argument in arguments
+    ]
+    names = [f"{of}{by}" for of in "fg" for by in "xup"]
+    return ca.Function(name, arguments, results, [*"xup"], names)

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Kernels for many aircraft at once: compiled on first use, called with NumPy arrays.
 
 They are compiled for the processor at hand, so AVX2 or AVX-512 is used where it is there, and
@@ -13,14 +13,15 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from .compiler import NoCompilerError, opened
-from .library import SOURCES, compiled, say_once, say_slower
-from .names import KERNELS, MODELS, SWEEPS
+from .library import compiled, say_once, say_slower
+from .packs import Kernel, Pack
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -122,8 +123,8 @@ class Task:
 
     Attributes
     ----------
-    kernel : str
-        One of `names.KERNELS`.
+    kernel : Kernel
+        One of a pack's.
     x0, p : tuple of ndarray
         Initial states, in the order of the kernel; inputs, then parameters. Each has one value
         for all trajectories or one for each.
@@ -140,7 +141,7 @@ class Task:
         the rows are among those watched.
     """
 
-    kernel: str
+    kernel: Kernel
     x0: tuple[FloatArray, ...]
     p: tuple[FloatArray, ...]
     count: int
@@ -153,15 +154,10 @@ class Task:
     within: dict[str, float]
 
 
-def rows(kernel: str) -> tuple[str, ...]:
-    """What a kernel can sample and watch: its states, then the outputs of its model."""
-    return (*KERNELS[kernel].states, *MODELS[KERNELS[kernel].model].outputs)
-
-
-def can_compile(kernel: str) -> bool:
+def can_compile(kernel: Kernel) -> bool:
     """Whether a kernel can be compiled here; says so once if not."""
     try:
-        _load(f"{kernel}_ensemble", "integrate")
+        _load(kernel.source + "_ensemble", kernel.digest, "integrate")
     except NoCompilerError as problem:
         say_once(
             "kernels",
@@ -179,7 +175,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
     NoCompilerError
         If the kernel cannot be compiled.
     """
-    names, states = rows(task.kernel), KERNELS[task.kernel].states
+    names, states = task.kernel.rows, task.kernel.states
     n, moments = task.count, np.ascontiguousarray(task.times, dtype=np.float64)
     outcome = Outcome(
         status=np.empty(n, np.int8),
@@ -224,7 +220,8 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
         largest=tables["largest"].address() if task.watched else None,
         first=tables["first"].address(),
     )
-    _load(f"{task.kernel}_ensemble", "integrate").integrate(ctypes.byref(job))
+    library = _load(task.kernel.source + "_ensemble", task.kernel.digest, "integrate")
+    library.integrate(ctypes.byref(job))
     return outcome
 
 
@@ -254,8 +251,8 @@ class Stepper:
 
     Parameters
     ----------
-    kernel : str
-        One of `names.KERNELS`.
+    kernel : Kernel
+        One of a pack's.
     times : ndarray
         Ascending times, s; the last ends the integration.
     tol : float
@@ -269,16 +266,17 @@ class Stepper:
         If the kernel cannot be compiled.
     """
 
-    def __init__(self, kernel: str, times: FloatArray, tol: float, sampled: Sequence[str]) -> None:
-        names, states = rows(kernel), KERNELS[kernel].states
-        model = MODELS[KERNELS[kernel].model]
+    def __init__(
+        self, kernel: Kernel, times: FloatArray, tol: float, sampled: Sequence[str]
+    ) -> None:
+        names, states = kernel.rows, kernel.states
         self._start = np.zeros(len(states))
-        self._given = np.zeros(len(model.inputs) + len(model.parameters))
+        self._given = np.zeros(len(kernel.inputs) + len(kernel.parameters))
         self._samples = np.empty((len(sampled), times.size))
         self._summary = np.zeros(3)  # status, steps and estimate, eight bytes each
         self._times = np.array(times, dtype=np.float64)
-        self._inputs = len(model.inputs)
-        self._order = np.array([model.states.index(s) for s in states])
+        self._inputs = len(kernel.inputs)
+        self._order = np.array([kernel.order.index(s) for s in states])
         self._tables = (
             _Pointers(self._start[k : k + 1] for k in range(self._start.size)),
             _Pointers(self._given[k : k + 1] for k in range(self._given.size)),
@@ -307,7 +305,7 @@ class Stepper:
             samples=samples.address(),
         )
         self._reference = ctypes.byref(self._job)
-        self._trace = _load(f"{kernel}_trajectory", "trace").trace
+        self._trace = _load(kernel.source + "_trajectory", kernel.digest, "trace").trace
 
     def __call__(self, x0: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
         """Rows over time; NaN after an early end, of which `status` tells the reason."""
@@ -333,12 +331,12 @@ class Stepper:
         return float(self._summary[2])
 
 
-def can_sweep(function: str) -> bool:
+def can_sweep(pack: Pack, function: str) -> bool:
     """Whether a function has a kernel for many points, and that can be compiled here."""
-    if function not in SWEEPS:
+    if function not in pack.sweeps:
         return False
     try:
-        _sweeper(function)
+        _sweeper(pack, function)
     except NoCompilerError as problem:
         say_slower(problem)
         return False
@@ -346,6 +344,7 @@ def can_sweep(function: str) -> bool:
 
 
 def sweep(
+    pack: Pack,
     function: str,
     count: int,
     arguments: Sequence[FloatArray],
@@ -356,8 +355,8 @@ def sweep(
 
     Parameters
     ----------
-    function : str
-        One of `names.SWEEPS`.
+    pack, function : Pack and str
+        One of the pack's sweeps.
     count : int
         Number of points.
     arguments, results : sequence of ndarray, each of `count` elements
@@ -372,25 +371,25 @@ def sweep(
         If there is no C compiler.
     """
     given, made = _Pointers(arguments), _Pointers(results)
-    sweeper = _sweeper(function)
+    sweeper = _sweeper(pack, function)
     sweeper(count, _useful(threads, count), given.address(), given.stride_address(), made.address())
 
 
 @cache
-def _sweeper(function: str) -> Any:
-    symbol = f"sweep_{function}"
-    kernel = getattr(_load(SWEEPS[function], symbol, _UNCONTRACTED), symbol)
+def _sweeper(pack: Pack, function: str) -> Any:
+    source, symbol = str(pack.sources / pack.sweeps[function]), f"sweep_{function}"
+    kernel = getattr(_load(source, pack.digest, symbol, _UNCONTRACTED), symbol)
     kernel.argtypes = (ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * 3)
     return kernel
 
 
 @cache
-def _load(c_file: str, symbol: str, *more: str) -> ctypes.CDLL:
+def _load(source: str, digest: str, symbol: str, *more: str) -> ctypes.CDLL:
     """A kernel's library with this function, compiled with the first flags that give one."""
-    problem = NoCompilerError(f"{c_file} was not compiled")
+    problem = NoCompilerError(f"{source} was not compiled")
     for flags in _FLAGS:
         try:
-            library = compiled(SOURCES / f"{c_file}.c", (*flags, *more), symbol=symbol)
+            library = compiled(Path(f"{source}.c"), digest, (*flags, *more), symbol=symbol)
             return opened(library, symbol)
         except NoCompilerError as found:
             problem = found

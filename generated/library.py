@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 61dbe1126aa8d733) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """Compiled functions by name: compiled on first use, cached by content, loaded as externals.
 
 Set ``GROUNDROLL_CACHE`` to choose the cache folder and ``CC`` to choose the C compiler. Without
@@ -8,10 +8,8 @@ a compiler the same functions run in CasADi's virtual machine: the same numbers,
 from __future__ import annotations
 
 import atexit
-import difflib
 import errno
 import hashlib
-import importlib
 import os
 import shutil
 import sys
@@ -22,63 +20,21 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-import casadi as ca
-
-from .compiler import NoCompilerError, compiler, make, opened
-from .names import DIGEST, FUNCTIONS
+from .compiler import NoCompilerError, compiler, make
 
 #: Contraction is off so that compiled code and virtual machine agree to the last bit or nearly so.
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off", "-fPIC", "-shared")
 #: Seconds after which a folder that somebody compiled in was left behind by a killed process.
 _LEFT = 3600.0
-#: Folder of the C files.
-SOURCES = Path(__file__).resolve().parent / "c"
 
 
 class StaleError(RuntimeError):
     """C code and Python code come from different equations."""
 
 
-@cache
-def load(name: str) -> ca.Function:
-    """A generated function, compiled if there is a C compiler.
-
-    Parameters
-    ----------
-    name : str
-        One of `groundroll.generated.FUNCTIONS`, e.g. ``"nonlinear_rk45"``.
-
-    Raises
-    ------
-    KeyError
-        If there is no such function; the message names the nearest.
-    StaleError
-        If the C code does not belong to these equations.
-    """
-    source = SOURCES / f"{_entry(name)[2]}.c"
-    try:
-        library = compiled(source, symbol=name)
-        opened(library, name)
-    except NoCompilerError as problem:
-        say_slower(problem)
-        return build(name)
-    return ca.external(name, str(library))
-
-
-def build(name: str) -> ca.Function:
-    """The function `name` in CasADi's virtual machine, from its Python source.
-
-    Raises
-    ------
-    KeyError
-        If there is no such function; the message names the nearest.
-    """
-    module, builder, _ = _entry(name)
-    function: ca.Function = getattr(importlib.import_module(f".{module}", __package__), builder)()
-    return function
-
-
-def compiled(source: Path, flags: tuple[str, ...] = FLAGS, *, symbol: str) -> Path:
+def compiled(
+    source: Path, digest: str, flags: tuple[str, ...] = FLAGS, *, symbol: str
+) -> Path:
     """Path of the shared library of a C file, compiled now if it is not in the cache.
 
     The name of the library holds a hash of source, flags, compiler, processor and C library, so a
@@ -93,25 +49,21 @@ def compiled(source: Path, flags: tuple[str, ...] = FLAGS, *, symbol: str) -> Pa
         If it cannot be compiled, or not with these flags, or what was compiled cannot be loaded.
     """
     text = source.read_bytes()
-    if DIGEST.encode() not in text[:400]:
-        raise StaleError(f"{source} was not generated with this package; run `make derive`")
+    if digest.encode() not in text[:400]:
+        raise StaleError(
+            f"{source} does not belong to the equations of its pack; run `make derive`, or"
+            " `groundroll derive` for a model of your own"
+        )
     command, target = compiler(flags)
     parts = (text, *(part.encode() for part in (" ".join(flags), target)))
     key = hashlib.sha256(b"\0".join(parts)).hexdigest()[:20]
-    library = _cache_folder() / f"{source.stem}-{key}.so"
+    library = _cache_folder() / f"{source.parent.parent.name}-{source.stem}-{key}.so"
     if not library.exists():
         _compile(command, flags, source, library, symbol)
     elif not _is_intact(library):
         warnings.warn(f"{library} is damaged; compiling it again", stacklevel=3)
         _compile(command, flags, source, library, symbol)
     return library
-
-
-def _entry(name: str) -> tuple[str, str, str]:
-    if name not in FUNCTIONS:
-        near = difflib.get_close_matches(name, FUNCTIONS, n=3) or sorted(FUNCTIONS)
-        raise KeyError(f"no generated function {name!r}; there is {', '.join(near)}")
-    return FUNCTIONS[name]
 
 
 def _compile(
@@ -122,7 +74,8 @@ def _compile(
     Whoever sits at a terminal is told, because it may take seconds; over a line of patience.
     """
     if sys.stderr is not None and sys.stderr.isatty():
-        print(f"\rcompiling {source.stem}, once for this machine", file=sys.stderr)
+        what = f"{source.parent.parent.name} {source.stem}"
+        print(f"\rcompiling {what}, once for this machine", file=sys.stderr)
     _clean(library.parent)
     try:
         with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as folder:

@@ -17,9 +17,8 @@ from .arrays import FloatArray, broadcast, common_shape, physical
 from .errors import GroundrollError
 from .evaluate import elementwise
 from .generated import build
-from .generated.names import FUNCTIONS, MODELS, QUANTITIES
 from .listing import Listed
-from .names import signature, symbol
+from .names import FUNCTIONS, MODELS, QUANTITIES, signature, symbol
 
 #: What nothing follows from, but limits of the CG and of the gear are set by.
 _APART = ("x_forward", "x_aft", "h_cg", "u_lift")

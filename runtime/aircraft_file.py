@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 from .aircraft import Aircraft, Source
 from .consistency import contradictions
 from .errors import GroundrollError, unknown
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 
 #: A name in a file, after those of the tables that it is in.
 Place: TypeAlias = tuple[str, ...]

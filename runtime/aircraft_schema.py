@@ -1,6 +1,6 @@
 """What an aircraft file may say: pydantic models made from the generated table of quantities.
 
-The table, `generated.names.QUANTITIES`, is the only schema: it has the names, units and signs of
+The table, `names.QUANTITIES`, is the only schema: it has the names, units and signs of
 everything an aircraft may be given. pydantic finds all mistakes and their places; what is left
 is to put them into words. Whether the data agree is for `consistency`, file or not.
 """
@@ -21,7 +21,7 @@ from pydantic_core import ErrorDetails, PydanticCustomError
 from .aircraft import Source, parameter_symbols
 from .aircraft_file import Place, packaged_files
 from .errors import GroundrollError, UnexpectedError
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .units import expected, to_si
 
 T = TypeVar("T")

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import GroundrollError
-from .generated.names import MODELS, QUANTITIES
+from .names import MODELS, QUANTITIES
 from .units import UnitError, expected, to_si
 
 FloatArray = npt.NDArray[np.float64]

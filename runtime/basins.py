@@ -13,10 +13,9 @@ from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError, unknown
 from .fates import FATES, ByteArray, Criterion, fates
-from .generated.names import QUANTITIES
 from .kicks import check_tire, kick
 from .listing import Pictured
-from .names import symbol
+from .names import QUANTITIES, symbol
 from .plots import INK, style
 from .progress import Progress, counted
 from .records import Column, Record, measured

@@ -17,8 +17,7 @@ from .consistency import as_written, contradictions, following, in_words, words
 from .errors import GroundrollError
 from .evaluate import elementwise
 from .generated import build
-from .generated.names import MODELS, QUANTITIES
-from .names import symbol
+from .names import MODELS, QUANTITIES, symbol
 from .stability import speed_window
 from .units import from_si, parts, to_si
 

@@ -10,7 +10,7 @@ import numpy as np
 from .aircraft import FOLLOWS, Aircraft, NotGivenError, parameter_symbols
 from .arrays import FloatArray
 from .errors import GroundrollError
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .units import parts
 
 #: How far a given length may be from the one that follows from the other data, m: what a tape

@@ -15,10 +15,9 @@ from .arrays import FloatArray, common_shape, finite, positive, whole
 from .chunks import piece
 from .ensemble_result import Ensemble, Named
 from .errors import GroundrollError, unknown
-from .generated import kernels
 from .generated.kernels import Outcome, Task
-from .generated.names import KERNELS, QUANTITIES
-from .names import signature, symbol
+from .generated.packs import Kernel
+from .names import QUANTITIES, signature, symbol
 
 #: Finest and coarsest `tol`.
 TOLERANCES = (1e-11, 1e-3)
@@ -45,7 +44,7 @@ class Plan:
     within: Mapping[str, float] | None = None
 
     @property
-    def kernel(self) -> str:
+    def kernel(self) -> Kernel:
         """The kernel that carries no more than is needed."""
         return smallest_kernel(self.tire, (*self.names, *self.watched))
 
@@ -81,7 +80,7 @@ class Plan:
             given = {s: cut_out(value) for s, value in self.aircraft.given.items()}
             plane = replace(self.aircraft, given=given)
             p += [plane[s] for s in names.parameters]
-        x0 = [cut_out(self.start[s]) for s in KERNELS[self.kernel].states]
+        x0 = [cut_out(self.start[s]) for s in self.kernel.states]
         return Task(
             kernel=self.kernel,
             x0=tuple(value.reshape(-1) for value in x0),
@@ -161,7 +160,7 @@ def plan(
     times = _times(at, duration)
     if names is None:
         path = {"X", "Y"} & start.keys()
-        wanted = model.states if path else KERNELS[f"{tire}_body"].states
+        wanted = model.states if path else signature(tire).kernels["body"].states
     else:
         allowed = (*model.states, *model.outputs) if times.size else model.states
         wanted = tuple(symbol(n, "name", allowed, "names") for n in listed("names", names))
@@ -240,11 +239,10 @@ def listed(what: str, names: Iterable[str]) -> list[str]:
     return list(names)
 
 
-def smallest_kernel(tire: str, names: Iterable[str]) -> str:
+def smallest_kernel(tire: str, names: Iterable[str]) -> Kernel:
     """The kernel of a model that carries these states and outputs, and little else."""
-    carrying = [k for k, kernel in KERNELS.items() if kernel.model == tire]
-    able = [k for k in carrying if set(names) <= set(kernels.rows(k))]
-    return min(able, key=lambda k: len(KERNELS[k].states))
+    able = [k for k in signature(tire).kernels.values() if set(names) <= set(k.rows)]
+    return min(able, key=lambda k: len(k.states))
 
 
 def check_tolerance(tol: Any) -> float:

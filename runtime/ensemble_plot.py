@@ -10,7 +10,7 @@ import numpy as np
 
 from .arrays import FloatArray
 from .ensemble_result import Ensemble
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .plots import COLOURS, INK, axis_label, in_shown_unit, style
 from .units import from_si
 

@@ -12,9 +12,8 @@ import numpy.typing as npt
 from .aircraft import Aircraft
 from .arrays import FloatArray
 from .generated.kernels import STATUS
-from .generated.names import QUANTITIES
 from .listing import Listed, span, unit_of
-from .names import signature, symbol
+from .names import QUANTITIES, signature, symbol
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
 

@@ -39,7 +39,7 @@ def elementwise(name: str, arguments: Mapping[str, FloatArray]) -> dict[str, Flo
     """
     function = generated.load(name)
     arrays, shape = broadcast({key: arguments[key] for key in function.name_in()})
-    if math.prod(shape) >= _MANY and kernels.can_sweep(name):
+    if math.prod(shape) >= _MANY and kernels.can_sweep(generated.pack_of(name), name):
         found = {key: np.empty(shape) for key in function.name_out()}
         sweep_into(name, arguments, shape, found)
         return found
@@ -67,13 +67,20 @@ def sweep_into(
         Does not change a bit of the result.
     """
     given, made = names_of(name)
-    if not kernels.can_sweep(name):
+    if not kernels.can_sweep(generated.pack_of(name), name):
         found = _one_by_one(generated.build(name), {k: arguments[k] for k in given}, shape)
         for key, result in results.items():
             result[...] = found[key]
         return
     flat = [_flat(arguments[key], shape) for key in given]
-    kernels.sweep(name, math.prod(shape), flat, [results.get(key) for key in made], threads)
+    kernels.sweep(
+        generated.pack_of(name),
+        name,
+        math.prod(shape),
+        flat,
+        [results.get(key) for key in made],
+        threads,
+    )
 
 
 @cache

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .wording import number
 
 

@@ -14,8 +14,7 @@ from matplotlib.patheffects import withStroke
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError
-from .generated.names import QUANTITIES
-from .names import symbol
+from .names import QUANTITIES, symbol
 from .plots import COLOURS, INK, MUTED, style
 from .units import from_si
 

@@ -13,9 +13,8 @@ import numpy.typing as npt
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError, unknown
-from .generated.names import MODELS, QUANTITIES
 from .listing import Pictured
-from .names import symbol
+from .names import MODELS, QUANTITIES, symbol
 from .records import Column, Record, measured
 from .results import Result
 from .stability import CLOSED_FORMS, OVER_SPEED, closed_forms

@@ -11,9 +11,8 @@ import numpy as np
 
 from .arrays import FloatArray
 from .curve import Curve
-from .generated.names import QUANTITIES
 from .listing import Listed, span
-from .names import signature, symbol
+from .names import QUANTITIES, signature, symbol
 from .settling import responses
 
 if TYPE_CHECKING:

@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from hashlib import sha256
 
 from .errors import unknown
-from .generated.names import MODELS, QUANTITIES, Signature
+from .generated import PACKS, Pack, Quantity
+
+#: Every quantity of the packs that ship, by symbol.
+QUANTITIES: dict[str, Quantity] = {}
+for _pack in PACKS.values():
+    QUANTITIES = {**_pack.quantities, **QUANTITIES}
+#: The models that ship, by name.
+MODELS = {name: pack for name, pack in PACKS.items() if pack.states}
+#: Name of each function of these packs -> module, builder, C file.
+FUNCTIONS = {name: entry for pack in PACKS.values() for name, entry in pack.functions.items()}
+#: Digest of all their equations.
+DIGEST = sha256("".join(pack.digest for pack in PACKS.values()).encode()).hexdigest()[:16]
 
 _SYMBOLS = {**{q.name: symbol for symbol, q in QUANTITIES.items()}, **{s: s for s in QUANTITIES}}
 
@@ -25,7 +37,7 @@ def symbol(name: str, kind: str, allowed: Collection[str], where: str = "") -> s
     raise unknown(kind, name, dict.fromkeys(choices), where)
 
 
-def signature(tire: str) -> Signature:
+def signature(tire: str) -> Pack:
     """The signature of the model with a tire, ``"linear"`` or ``"nonlinear"``."""
     if tire not in MODELS:
         raise unknown("tire", tire, MODELS)

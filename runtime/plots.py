@@ -11,8 +11,7 @@ import numpy as np
 from cycler import cycler
 
 from .errors import GroundrollError
-from .generated.names import QUANTITIES
-from .names import symbol
+from .names import QUANTITIES, symbol
 from .units import from_si
 
 if TYPE_CHECKING:

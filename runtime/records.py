@@ -23,7 +23,7 @@ from .aircraft import Aircraft, Source
 from .arrays import FloatArray
 from .errors import GroundrollError
 from .files import complete
-from .generated.names import DIGEST, QUANTITIES
+from .names import DIGEST, QUANTITIES
 
 #: Raised when the layout changes.
 _LAYOUT = 2

@@ -12,10 +12,9 @@ import numpy as np
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite, positive, whole
 from .errors import GroundrollError
-from .generated.names import QUANTITIES
 from .linearization import ComplexArray, Linearization, OperatingPoint, linearize
 from .listing import Pictured, span, unit_of
-from .names import symbol
+from .names import QUANTITIES, symbol
 from .wording import number
 
 if TYPE_CHECKING:

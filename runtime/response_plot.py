@@ -12,7 +12,7 @@ from matplotlib.patheffects import withStroke
 
 from .arrays import FloatArray
 from .errors import GroundrollError
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .plots import COLOURS, DASHES, INK, MUTED, SHOWN_UNITS, axis_label, in_shown_unit, style
 from .units import from_si
 

@@ -15,7 +15,7 @@ from matplotlib.patheffects import withStroke
 from .arrays import positive, whole
 from .errors import GroundrollError, unknown
 from .files import complete
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .plots import COLOURS, INK, MUTED, style
 from .progress import Progress, counted
 from .silhouette import ASPHALT, PAINT, Roll, draw_aircraft, draw_push, draw_tire_tracks

@@ -13,10 +13,9 @@ import numpy.typing as npt
 from . import generated
 from .arrays import FloatArray
 from .evaluate import columns
-from .generated.names import QUANTITIES
 from .linearization import ComplexArray, Linearization, columns_at
 from .listing import Listed, span, unit_of
-from .names import signature, symbol
+from .names import QUANTITIES, signature, symbol
 
 
 @dataclass(frozen=True, repr=False)

@@ -14,11 +14,10 @@ from .arrays import FloatArray, as_inputs, finite, positive, whole
 from .chunks import check_memory
 from .errors import unknown
 from .evaluate import columns
-from .generated.names import QUANTITIES
 from .gusts import Gust, as_gust, sampled
 from .integration import integrate, integrate_varying
 from .listing import Listed, span, unit_of
-from .names import signature, symbol
+from .names import QUANTITIES, signature, symbol
 from .records import Record, measured, run_dims, time_axis
 from .results import Result
 

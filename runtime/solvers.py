@@ -13,7 +13,7 @@ from .ensemble_plan import check_tolerance, listed, smallest_kernel
 from .errors import GroundrollError
 from .generated import kernels
 from .generated.kernels import Task
-from .generated.names import KERNELS, MODELS
+from .generated.packs import Kernel
 from .names import signature, symbol
 from .vm_ensemble import integrate_in_vm
 
@@ -78,7 +78,7 @@ def solver(
 
 
 def _solve_in_vm(
-    kernel: str,
+    kernel: Kernel,
     times: FloatArray,
     tol: float,
     names: tuple[str, ...],
@@ -86,8 +86,7 @@ def _solve_in_vm(
     u: FloatArray,
     p: FloatArray,
 ) -> FloatArray:
-    states = MODELS[KERNELS[kernel].model].states
-    start = (x0[states.index(s)] for s in KERNELS[kernel].states)
+    start = (x0[kernel.order.index(s)] for s in kernel.states)
     task = Task(
         kernel=kernel,
         x0=tuple(map(np.atleast_1d, start)),

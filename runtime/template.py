@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from .aircraft import FOLLOWS, parameter_symbols
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 
 #: Sections of an aircraft file: what goes in, and what to know about it.
 _SECTIONS = {

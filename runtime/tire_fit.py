@@ -13,7 +13,7 @@ import numpy as np
 from .arrays import FloatArray, finite
 from .errors import GroundrollError
 from .evaluate import solved
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .tire_data import TireData
 from .tire_quality import LINES, MAGIC, conditioning, force_rms, normalised_rms, residual
 

@@ -11,9 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import FloatArray
-from .generated import build
+from .generated import Pack
 from .generated.kernels import STATUS, Outcome, Task
-from .generated.names import KERNELS, MODELS
 
 _OK, _NOT_FINITE, _LEFT = (STATUS.index(s) for s in ("ok", "not finite", "left the range"))
 _INTERVALS = 200
@@ -21,14 +20,14 @@ _INTERVALS = 200
 
 def integrate_in_vm(task: Task) -> Outcome:
     """Integrate every trajectory of a task; steps and estimates are not known."""
-    model = MODELS[KERNELS[task.kernel].model]
+    model = task.kernel.pack
     x0 = np.zeros((len(model.states), task.count))
-    for name, value in zip(KERNELS[task.kernel].states, task.x0, strict=True):
+    for name, value in zip(task.kernel.states, task.x0, strict=True):
         x0[model.states.index(name)] = value
     given = np.stack([np.broadcast_to(value, task.count) for value in task.p])
     u, p = np.split(given, [len(model.inputs)])
     grid = _grid(task)
-    x = _states(KERNELS[task.kernel].model, grid, x0, u, p)
+    x = _states(model, grid, x0, u, p)
     rows = _rows(task, grid, x, u, p)
     status = np.where(np.isfinite(x).all(axis=(0, 2)), _OK, _NOT_FINITE)
     for name, most in task.within.items():
@@ -42,8 +41,7 @@ def integrate_in_vm(task: Task) -> Outcome:
         steps=np.zeros(task.count, np.int32),
         estimate=np.full(task.count, np.nan),
         final={
-            s: np.where(ended, np.nan, x[model.states.index(s), :, -1])
-            for s in KERNELS[task.kernel].states
+            s: np.where(ended, np.nan, x[model.states.index(s), :, -1]) for s in task.kernel.states
         },
         samples={s: rows[s][:, at] for s in task.sampled},
         largest={s: _peaks(np.abs(rows[s])) for s in task.watched},
@@ -57,10 +55,10 @@ def _grid(task: Task) -> FloatArray:
 
 
 def _states(
-    model: str, grid: FloatArray, x0: FloatArray, u: FloatArray, p: FloatArray
+    model: Pack, grid: FloatArray, x0: FloatArray, u: FloatArray, p: FloatArray
 ) -> FloatArray:
     """States at the times of a grid, shape (states, n, times); NaN from where a run breaks."""
-    advance = build(f"{model}_rk45")
+    advance = model.build(f"{model.name}_rk45")
     path = [x0]
     for h in np.diff(grid).tolist():
         path.append(_advance(advance, path[-1], u, p, h))
@@ -89,11 +87,10 @@ def _rows(
     task: Task, grid: FloatArray, x: FloatArray, u: FloatArray, p: FloatArray
 ) -> dict[str, FloatArray]:
     """Whatever is sampled or watched over the grid, each of shape (n, times)."""
-    name = KERNELS[task.kernel].model
-    model = MODELS[name]
+    model = task.kernel.pack
     rows = {s: x[k].copy() for k, s in enumerate(model.states)}
     if not {*task.sampled, *task.watched} <= rows.keys():
-        outputs = build(f"{name}_outputs").map(task.count * grid.size)
+        outputs = model.build(f"{model.name}_outputs").map(task.count * grid.size)
         flat = x.reshape(len(x), -1)
         y = np.array(outputs(flat, *(np.repeat(each, grid.size, axis=1) for each in (u, p))))
         rows |= {s: y[k].reshape(task.count, grid.size) for k, s in enumerate(model.outputs)}

@@ -20,7 +20,7 @@ import xarray as xr
 
 import groundroll as gr
 from groundroll import records
-from groundroll.generated.names import DIGEST
+from groundroll.names import DIGEST
 from groundroll.results import KINDS
 
 

@@ -8,7 +8,7 @@ import pytest
 
 import groundroll as gr
 from groundroll import generated
-from groundroll.generated.names import MODELS
+from groundroll.names import MODELS
 
 TRICYCLE = {"cg_station": "13.6 in", "a": -0.5, "Ct": 0}
 

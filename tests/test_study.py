@@ -21,7 +21,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 import groundroll as gr
 from groundroll import study
 from groundroll.evaluate import elementwise
-from groundroll.generated.names import DIGEST
+from groundroll.names import DIGEST
 from groundroll.study import cases, figures, ledger, output, report, sources
 from groundroll.study.cases import case
 from groundroll.tire_data import TireData

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from groundroll.generated.names import MODELS, QUANTITIES
+from groundroll.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, filled, number, say, shown, table

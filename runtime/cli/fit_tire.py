@@ -68,7 +68,7 @@ def _text(fit: TireFit) -> str:
 
 
 def _rows(fit: TireFit) -> list[list[Any]]:
-    from groundroll.generated.names import QUANTITIES
+    from groundroll.names import QUANTITIES
 
     found = [
         [s, QUANTITIES[s].name, float(value), QUANTITIES[s].unit]

@@ -33,7 +33,7 @@ def command(file: Path | None, form: str, out: Path | None) -> None:
 
 def _kept(file: Path) -> Output:
     """What is in a file, also if other equations than those installed made it."""
-    from groundroll.generated.names import DIGEST
+    from groundroll.names import DIGEST
     from groundroll.records import read
     from groundroll.results import restored
 
@@ -64,9 +64,13 @@ def _short(value: Any) -> str:
     return " x ".join(map(str, value.values())) if isinstance(value, dict) else str(value)
 
 
+#: What a model is told by.
+_GROUPS = ("states", "dynamic", "inputs", "parameters", "outputs")
+
+
 def _data() -> dict[str, Any]:
     from groundroll.aircraft_file import load, packaged_files
-    from groundroll.generated.names import DIGEST, MODELS
+    from groundroll.names import DIGEST, MODELS
 
     return {
         "versions": {name: version(name) for name in ("groundroll", "casadi", "numpy")}
@@ -75,7 +79,7 @@ def _data() -> dict[str, Any]:
         "code": _code(),
         "aircraft": {name: load(name).title for name in sorted(packaged_files())},
         "tires": sorted(packaged_files(".csv")),
-        "models": {name: model._asdict() for name, model in MODELS.items()},
+        "models": {name: {g: getattr(m, g) for g in _GROUPS} for name, m in MODELS.items()},
     }
 
 

@@ -70,7 +70,7 @@ def _text(chart: StabilityMap) -> str:
 
 
 def _axis(symbol: str, values: Any) -> str:
-    from groundroll.generated.names import QUANTITIES
+    from groundroll.names import QUANTITIES
 
     q = QUANTITIES[symbol]
     low, unit = shown(values[0], q.unit)
@@ -78,7 +78,7 @@ def _axis(symbol: str, values: Any) -> str:
 
 
 def _extremes(chart: StabilityMap) -> str:
-    from groundroll.generated.names import QUANTITIES
+    from groundroll.names import QUANTITIES
 
     axes = [(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
     heads = [options.with_unit(s, shown(0.0, unit)[1] or "1") for s, unit in axes]
@@ -94,7 +94,7 @@ def _extremes(chart: StabilityMap) -> str:
 
 
 def _rows(chart: StabilityMap) -> Iterator[list[Any]]:
-    from groundroll.generated.names import QUANTITIES
+    from groundroll.names import QUANTITIES
 
     axes = [options.with_unit(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
     yield [*axes, options.with_unit(chart.of, chart.unit), "stable"]

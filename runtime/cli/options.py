@@ -90,8 +90,7 @@ class Range(ParamType):
     def convert(self, value: Any, param: Any, ctx: Any) -> Grid:
         from groundroll.aircraft import parameter_symbols
         from groundroll.errors import GroundrollError
-        from groundroll.generated.names import QUANTITIES
-        from groundroll.names import symbol
+        from groundroll.names import QUANTITIES, symbol
 
         if isinstance(value, Grid):
             return value
@@ -179,7 +178,7 @@ class Assignment(ParamType):
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
         from groundroll.aircraft import parameter_symbols
-        from groundroll.generated.names import QUANTITIES
+        from groundroll.names import QUANTITIES
 
         names = [QUANTITIES[s].name for s in parameter_symbols()]
         return [CompletionItem(f"{n}=") for n in names if n.startswith(incomplete)]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.generated.names import MODELS, QUANTITIES
+from groundroll.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, number, say, shown, table

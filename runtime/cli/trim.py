@@ -45,7 +45,7 @@ def command(
 
 
 def _text(found: Trim) -> str:
-    from groundroll.generated.names import QUANTITIES
+    from groundroll.names import QUANTITIES
 
     head = repr(found).partition("\n")[0].removeprefix("Trim of ").replace("'", "")
     if not found.count:
@@ -63,7 +63,7 @@ def _text(found: Trim) -> str:
 
 
 def _rows(found: Trim) -> list[list[Any]]:
-    from groundroll.generated.names import QUANTITIES
+    from groundroll.names import QUANTITIES
 
     heads = [options.with_unit(s, QUANTITIES[s].unit) for s in found.values]
     rows: list[list[Any]] = [["branch", *heads, "decay_rate [1/s]", "stable"]]

@@ -11,7 +11,7 @@ import numpy as np
 from groundroll.aircraft import Aircraft
 from groundroll.arrays import FloatArray, in_si, physical
 from groundroll.errors import GroundrollError
-from groundroll.generated.names import QUANTITIES
+from groundroll.names import QUANTITIES
 
 #: Field of an envelope -> symbol.
 AXES = {

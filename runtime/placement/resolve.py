@@ -11,8 +11,7 @@ from groundroll import generated
 from groundroll.aircraft import Aircraft
 from groundroll.arrays import finite, positive
 from groundroll.errors import GroundrollError, unknown
-from groundroll.generated.names import QUANTITIES
-from groundroll.names import signature
+from groundroll.names import QUANTITIES, signature
 
 from .case import THIRD, VARIABLES, Case, Variable
 from .envelope import Axis, Envelope, numbers

@@ -12,8 +12,8 @@ import numpy as np
 
 from groundroll.aircraft import Aircraft
 from groundroll.consistency import as_written
-from groundroll.generated.names import QUANTITIES
 from groundroll.listing import Pictured
+from groundroll.names import QUANTITIES
 from groundroll.progress import Progress
 from groundroll.simulation import Trajectory, simulate
 from groundroll.units import from_si

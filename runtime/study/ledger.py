@@ -12,7 +12,7 @@ from itertools import permutations
 from typing import Any
 
 from groundroll.aircraft import Aircraft
-from groundroll.generated.names import QUANTITIES
+from groundroll.names import QUANTITIES
 from groundroll.units import from_si
 
 from .cases import Case, case, tire_fit, tire_fit_in_pounds

@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundroll.generated.names import QUANTITIES
 from groundroll.linearization import linearize
+from groundroll.names import QUANTITIES
 from groundroll.plots import COLOURS, DASHES, INK, MUTED
 from groundroll.units import from_si
 

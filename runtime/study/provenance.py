@@ -5,7 +5,7 @@ from __future__ import annotations
 import platform
 from importlib.metadata import version
 
-from groundroll.generated.names import DIGEST
+from groundroll.names import DIGEST
 
 from .sources import digest, setup
 

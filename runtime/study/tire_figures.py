@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 
 from groundroll.aircraft import Aircraft
 from groundroll.evaluate import elementwise
-from groundroll.generated.names import QUANTITIES
+from groundroll.names import QUANTITIES
 from groundroll.plots import COLOURS, DASHES, INK, axis_label
 from groundroll.units import from_si, to_si
 

@@ -1,0 +1,108 @@
+"""A symbol with a unit and a meaning; what an equation is written with.
+
+Units are SI with radians. A `Quantity` *is* a SymPy symbol, so equations are written with it
+directly and every expression knows the units of its leaves.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+
+class Quantity(sp.Symbol):  # type: ignore[misc]
+    """A real symbol with a unit and a meaning.
+
+    Parameters
+    ----------
+    symbol : str
+        Symbol used in equations and in generated code, e.g. ``"r"``.
+    name : str
+        The field's full name, e.g. ``"yaw_rate"``.
+    unit : str
+        SI unit, e.g. ``"kg m^2"``; ``"1"`` for a pure number.
+    meaning : str
+        One line for people, with the sign convention where there is one.
+    latex : str, optional
+        Symbol in LaTeX; SymPy's own rendering of `symbol` if omitted.
+    sign : str, optional
+        ``">0"`` or ``">=0"`` for what cannot be otherwise (a mass, an area).
+    kind : str
+        ``"state"``, ``"input"`` or ``"parameter"`` for what equations may use without defining it
+        (write `State`, `Input`, `Parameter`); a plain quantity is defined by an equation.
+    """
+
+    __slots__ = ("full_name", "kind", "latex", "meaning", "sign", "unit")
+
+    full_name: str
+    unit: str
+    meaning: str
+    latex: str
+    sign: str
+    kind: str
+
+    def __new__(
+        cls,
+        symbol: str,
+        name: str,
+        unit: str,
+        meaning: str,
+        latex: str = "",
+        sign: str = "",
+        kind: str = "",
+    ) -> Quantity:
+        assumption = {">0": {"positive": True}, ">=0": {"nonnegative": True}, "": {}}[sign]
+        obj: Quantity = sp.Symbol.__xnew__(cls, symbol, real=True, **assumption)
+        obj.full_name = name
+        obj.unit = unit
+        obj.meaning = meaning
+        obj.latex = latex or sp.latex(sp.Symbol(symbol))
+        obj.sign = sign
+        obj.kind = kind
+        return obj
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        # two quantities of one symbol are the same only if they say the same
+        return (*super()._hashable_content(), self.full_name, self.unit, self.meaning, self.kind)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        words = (self.full_name, self.unit, self.meaning, self.latex, self.sign, self.kind)
+        return (self.name, *words), {}
+
+    def _latex(self, printer: Any) -> str:
+        return self.latex
+
+    def of(self, part: str) -> Quantity:
+        """The same quantity of one part: ``alpha.of("left")`` is ``alpha_left``.
+
+        An empty name gives the quantity itself.
+        """
+        if not part:
+            return self
+        return Quantity(
+            f"{self.name}_{part}",
+            f"{self.full_name}_{part}",
+            self.unit,
+            f"{self.meaning}, {part.replace('_', ' ')}",
+            rf"{{{self.latex}}}_{{\mathrm{{{part.replace('_', ' ')}}}}}",
+            self.sign,
+            self.kind,
+        )
+
+
+def State(symbol: str, name: str, unit: str, meaning: str, latex: str = "") -> Quantity:
+    """A quantity that has a rate."""
+    return Quantity(symbol, name, unit, meaning, latex, kind="state")
+
+
+def Input(symbol: str, name: str, unit: str, meaning: str, latex: str = "") -> Quantity:
+    """What acts from outside and may change over time; zero if nobody gives it."""
+    return Quantity(symbol, name, unit, meaning, latex, kind="input")
+
+
+def Parameter(
+    symbol: str, name: str, unit: str, meaning: str, latex: str = "", sign: str = ""
+) -> Quantity:
+    """A number of the aircraft, constant during a run."""
+    return Quantity(symbol, name, unit, meaning, latex, sign, "parameter")

@@ -1,0 +1,1 @@
+"""From derived models to packs: readable CasADi source, C, kernels, equation sheet and facts."""

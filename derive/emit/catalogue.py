@@ -1,0 +1,336 @@
+"""Which functions are generated, and into which pack and module each goes."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from groundroll.derive.core.equation import Chain, needed
+from groundroll.derive.core.jacobian import jacobian, tangents
+from groundroll.derive.core.model import Derivation
+from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.models.linear import linear
+from groundroll.derive.models.nonlinear import nonlinear
+from groundroll.derive.parts import tires
+from groundroll.derive.parts.quantities import B1, C1, D1, E1, PARAMETERS, Fz
+from groundroll.derive.parts.thesis import alpha
+from groundroll.derive.theory import kick, loads, placement, stability_sections
+
+from .casadi_source import Argument, CasadiPrinter, FunctionSpec, Result, cancel_tangents
+from .equilibrium_functions import equilibrium_module
+from .module import Module
+from .scalar_functions import ordered, scalar_function
+from .stability_functions import stability_functions
+
+#: Equations in a chain up to which its derivatives are written link by link; longer chains are
+#: differentiated by CasADi, which keeps the generated code short.
+_READABLE = 60
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of an equation sheet: its title, its chain and a text before it."""
+
+    title: str
+    chain: Chain
+    text: str = ""
+
+
+@dataclass(frozen=True)
+class Pack:
+    """What is generated into one folder.
+
+    Attributes
+    ----------
+    name, summary : str
+    modules : tuple of Module
+        Functions beside those of the model.
+    model : Derivation, optional
+        The model, if the pack has one.
+    sections : tuple of Section
+        Of the equation sheet, after that of the model.
+    swept : str
+        Module whose functions have kernels for many points; none if empty.
+    abilities : tuple of str
+        What can be done with it beyond what any model can.
+    vocabulary : tuple of Quantity
+        What it knows beside what its functions use.
+    """
+
+    name: str
+    summary: str
+    modules: tuple[Module, ...] = ()
+    model: Derivation | None = None
+    sections: tuple[Section, ...] = ()
+    swept: str = ""
+    abilities: tuple[str, ...] = ()
+    vocabulary: tuple[Quantity, ...] = ()
+
+    @cached_property
+    def all_modules(self) -> tuple[Module, ...]:
+        """The modules, that of the model first."""
+        return self.modules if self.model is None else (model_module(self.model), *self.modules)
+
+    @cached_property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Every quantity that appears, in a stable order."""
+        found: dict[str, Quantity] = {}
+        if self.model is not None:
+            for q in (*self.model.states, *self.model.inputs, *self.model.parameters):
+                found.setdefault(q.name, q)
+            for q in self.model.outputs:
+                found.setdefault(q.name, q)
+        found |= {q.name: q for q in self.vocabulary if q.name not in found}
+        for module in self.modules:
+            for function in module.functions:
+                results = [x for result in function.results for x in result.value]
+                for q in (*(q for arg in function.arguments for q in arg.quantities), *results):
+                    if isinstance(q, Quantity):
+                        found.setdefault(q.name, q)
+        return tuple(found.values())
+
+    @cached_property
+    def digest(self) -> str:
+        """Digest of the equations as declared: symbols, units and order, and no words."""
+        lines = list(_declared(self.model)) if self.model else []
+        if not lines:
+            for module in self.modules:
+                for function in module.functions:
+                    lines += [function.casadi_name, *_equations(function.chain)]
+        return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
+
+
+def _declared(model: Derivation) -> Iterator[str]:
+    for group in (model.states, model.inputs, model.parameters, model.outputs):
+        yield " ".join(f"{q}[{q.unit}]{q.sign}" for q in group)
+    yield from _equations(model.chain)
+    yield from _equations(model.defaults)
+    printer = CasadiPrinter()
+    yield from map(printer.doprint, model.rates)
+    for event in model.events:
+        yield f"{event.name} {event.quantity} {event.rising}"
+
+
+def _equations(chain: Chain) -> Iterator[str]:
+    printer = CasadiPrinter()
+    for equation in chain:
+        yield f"{equation.lhs}[{equation.lhs.unit}] = {printer.doprint(equation.rhs)}"
+
+
+def packs() -> tuple[Pack, ...]:
+    """Everything that ships, derived afresh."""
+    return (_aircraft(), _linear(), _nonlinear())
+
+
+def _aircraft() -> Pack:
+    return Pack(
+        "aircraft",
+        "What follows of an aircraft, and its tire, before any model.",
+        (loads_module(), _tire_module(), _placement_module(), _kick_module()),
+        sections=(
+            Section("Loads and stiffnesses", loads.static_loads()),
+            Section("Loads with a nose wheel", loads.nose_wheel_loads(), _NOSE_WHEEL),
+            Section("A kick", kick.kick(), _KICK),
+            *(Section(*section) for section in placement.sections()),
+        ),
+        vocabulary=PARAMETERS,
+    )
+
+
+def _linear() -> Pack:
+    return Pack(
+        "linear",
+        linear().summary,
+        (_stability_module(), equilibrium_module(linear())),
+        linear(),
+        tuple(Section(*section) for section in stability_sections.stability_sections()),
+        swept="stability",
+        abilities=("closed_forms", "placement", "turns"),
+    )
+
+
+def _nonlinear() -> Pack:
+    model = nonlinear()
+    return Pack(
+        "nonlinear",
+        model.summary,
+        (equilibrium_module(model),),
+        model,
+        (Section(*stability_sections.steady_turns(model)),),
+        abilities=("turns",),
+    )
+
+
+def model_module(model: Derivation) -> Module:
+    """Right-hand side, outputs and Jacobians of a model, all of (x, u, p); what follows."""
+    chain = cancel_tangents(model.chain)
+    directions = {"x": model.states, "u": model.inputs, "p": model.parameters}
+
+    def spec(name: str, summary: str, results: list[Result], chain: Chain) -> FunctionSpec:
+        arguments = tuple(Argument(key, group) for key, group in directions.items())
+        return FunctionSpec(name, f"{model.name}_{name}", summary, arguments, tuple(results), chain)
+
+    rates = Result("xdot", sp.Matrix(model.rates), "time derivatives of x")
+    outputs = Result("y", sp.Matrix(model.outputs), f"outputs {', '.join(map(str, model.outputs))}")
+    functions = [
+        spec("rhs", "Time derivatives of the states.", [rates], chain),
+        spec("outputs", "Angles, forces, accelerations and what is carried.", [outputs], chain),
+    ]
+    is_readable = len(chain) <= _READABLE
+    if is_readable:
+        derivatives = tangents(chain, [q for group in directions.values() for q in group])
+        values = {"f": ("xdot", model.rates), "g": ("y", model.outputs)}
+        jacobians = [
+            Result(
+                f"{function}{key}",
+                jacobian(expressions, chain, group),
+                f"derivatives of {of} by {key}",
+            )
+            for function, (of, expressions) in values.items()
+            for key, group in directions.items()
+        ]
+        functions.append(
+            spec("jacobians", "Jacobians of states and outputs.", jacobians, derivatives)
+        )
+    return Module("model", model.summary, (*functions, *following(model)), is_readable)
+
+
+def following(model: Derivation) -> Iterator[FunctionSpec]:
+    """One function for each parameter of a model that follows from others."""
+    order = [q for e in model.defaults for q in (e.lhs, *sorted(e.rhs.free_symbols, key=str))]
+    yield from _following(model.defaults, "follows", tuple(dict.fromkeys(order)))
+
+
+def loads_module() -> Module:
+    """One function for each parameter that follows from others where it is not given."""
+    functions = (
+        *_following(loads.static_loads(), "follows", PARAMETERS),
+        *_following(loads.nose_wheel_loads(), "follows_with_nose_wheel", PARAMETERS),
+    )
+    return Module("loads", "What follows from CG and gear positions.", functions)
+
+
+def _following(
+    chain: Chain, suffix: str, parameters: tuple[Quantity, ...]
+) -> Iterator[FunctionSpec]:
+    for equation in chain:
+        if equation.lhs.kind != "parameter":
+            continue
+        # stop at every quantity that an aircraft file may give instead
+        inner = tuple(e for e in chain if e is equation or e.lhs.kind != "parameter")
+        inner = needed(inner, [equation.lhs])
+        summary = (
+            f"{equation.lhs.meaning[0].upper()}{equation.lhs.meaning[1:]} ({equation.source})."
+        )
+        name = f"{equation.lhs}_{suffix}"
+        arguments = ordered(inner, parameters)
+        yield scalar_function(name, summary, arguments, [equation.lhs], inner)
+
+
+def _tire_module() -> Module:
+    alpha_bar, F_bar, C_c, mu, F_y = tires.alpha_bar, tires.F_bar, tires.C_c, tires.mu, tires.F_y
+    force = cancel_tangents(tires.nonlinear_tire(alpha))
+    return Module(
+        "tire",
+        "The tire by itself (Chapter 3).",
+        (
+            scalar_function(
+                "tire_force",
+                "Lateral force of one tire at a slip angle and load.",
+                (alpha, *ordered(force)),
+                (F_y, alpha_bar, F_bar, C_c, mu),
+                force,
+            ),
+            scalar_function(
+                "magic_formula",
+                "Normalised force at a normalised slip angle.",
+                (alpha_bar, B1, C1, D1, E1),
+                (F_bar,),
+                tires.magic_formula(),
+            ),
+            scalar_function(
+                "measured_coefficients",
+                "Cornering and friction coefficient from measured forces at one load.",
+                (alpha, F_y, tires.F_peak, Fz),
+                (C_c, mu),
+                tires.measured_coefficients(alpha, tires.F_peak),
+            ),
+            scalar_function(
+                "normalised_data",
+                "A measured force in normalised form.",
+                (alpha, F_y, Fz, C_c, mu),
+                (alpha_bar, F_bar),
+                tires.normalised_data(alpha),
+            ),
+        ),
+    )
+
+
+def _stability_module() -> Module:
+    return Module(
+        "stability",
+        "Closed forms of the linear model (Section 4.7 and what it leaves unsaid).",
+        stability_functions(),
+    )
+
+
+def _placement_module() -> Module:
+    return Module(
+        "placement",
+        "Where the wheels may stand: loads, margins and limits from stations.",
+        (
+            scalar_function(
+                "placement_following",
+                "Arms, loads and stiffnesses where the stiffnesses follow the loads.",
+                placement.FOLLOWING,
+                placement.STIFFNESS,
+                placement.following_stiffness(),
+            ),
+            scalar_function(
+                "placement_constant",
+                "Arms, loads and stiffnesses where no stiffness knows where the gear is.",
+                placement.CONSTANT,
+                placement.STIFFNESS,
+                placement.constant_stiffness(),
+            ),
+            scalar_function(
+                "placement_tire",
+                "Cornering coefficient of a worn tire.",
+                placement.TIRE,
+                placement.WORN,
+                placement.worn_tire(),
+            ),
+            scalar_function(
+                "placement_margins",
+                "Smooth conditions for a decay rate and a damping ratio.",
+                placement.AIRFRAME,
+                placement.CONDITIONS,
+                placement.margins(),
+            ),
+            scalar_function(
+                "placement_limits",
+                "What else limits the place of the wheels.",
+                placement.GROUND,
+                placement.LIMITED,
+                placement.limits(),
+            ),
+        ),
+    )
+
+
+def _kick_module() -> Module:
+    arguments, results = (kick.S, kick.x_S, *kick.INERTIA), (kick.dv, kick.dr)
+    summary = "Changes of the motion by a side impulse at a station."
+    function = scalar_function("kick", summary, arguments, results, kick.kick())
+    return Module("kick", "A kick: what an impulse changes at once.", (function,))
+
+
+_NOSE_WHEEL = (
+    "What is otherwise with the main gear behind the CG: the nose wheel carries what it leaves."
+    " Where this is NaN, the equations above hold."
+)
+_KICK = "A side impulse changes the motion before any tire can answer."

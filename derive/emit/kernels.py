@@ -1,0 +1,75 @@
+"""Which kernels are emitted for speed, from which functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import ModuleType
+
+from groundroll.derive.core.model import Derivation
+
+from .catalogue import Pack
+from .simd.ensemble import ensemble_kernel
+from .simd.model import read_model
+from .simd.sweep import can_sweep, sweep_kernels
+from .simd.trajectory import trajectory_kernel
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """Emitted integrators of some states of a model: of many trajectories, and of a single one."""
+
+    name: str
+    states: tuple[str, ...]
+    ensemble: str
+    trajectory: str
+
+
+@dataclass(frozen=True)
+class SweepKernels:
+    """Emitted closed forms: name of the C file, the functions in it, and its text."""
+
+    name: str
+    functions: tuple[str, ...]
+    text: str
+
+
+def integration_kernels(model: Derivation, module: ModuleType) -> Iterator[Kernel]:
+    """Kernels of the states in body axes, of those that differ among them, and of everything."""
+    rhs, outputs = module.rhs(), module.outputs()
+    every = range(len(model.states))
+    body = _in_body_axes(model)
+    for name, keep in (
+        ("least", _distinct(model, body)),
+        ("body", body),
+        ("path", every),
+    ):
+        read = read_model(rhs, outputs, keep)
+        yield Kernel(
+            name=name,
+            states=tuple(str(model.states[j]) for j in read.states),
+            ensemble=ensemble_kernel(read),
+            trajectory=trajectory_kernel(read),
+        )
+
+
+def _in_body_axes(model: Derivation) -> list[int]:
+    """The states whose rates need nothing but the motion in body axes."""
+    beyond = set(model.states) - set(model.dynamic)
+    return [k for k, rate in enumerate(model.rates) if not rate.free_symbols & beyond]
+
+
+def _distinct(model: Derivation, states: list[int]) -> list[int]:
+    """The states but those that move as an earlier one does (psi as theta)."""
+    return [k for k in states if model.rates[k] not in [model.rates[j] for j in states if j < k]]
+
+
+def sweep_of(pack: Pack, modules: Mapping[str, ModuleType]) -> SweepKernels | None:
+    """The closed forms of a pack that a kernel can be emitted for."""
+    if not pack.swept:
+        return None
+    module = next(module for module in pack.modules if module.name == pack.swept)
+    every = [getattr(modules[pack.swept], spec.name)() for spec in module.functions]
+    functions = [function for function in every if can_sweep(function)]
+    names = tuple(function.name() for function in functions)
+    return SweepKernels(f"{pack.swept}_sweep", names, sweep_kernels(functions))

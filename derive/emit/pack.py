@@ -1,0 +1,146 @@
+"""Everything in a pack, as text: sources, C, kernels, equation sheet and facts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from types import ModuleType
+
+import casadi as ca
+import sympy as sp
+
+from .c_source import c_source
+from .catalogue import Pack
+from .equation_sheet import equation_sheet
+from .facts import facts
+from .kernels import integration_kernels, sweep_of
+from .module import Module
+from .places import places_source
+from .shipped import integrators
+
+#: How every generated file begins, after the sign of a comment.
+MARK = "Generated from derive/"
+
+
+def provenance(digest: str = "") -> str:
+    """One line for the top of each generated file."""
+    whose = f" (digest {digest})" if digest else ""
+    return (
+        f"{MARK}{whose} with SymPy {sp.__version__} and CasADi {ca.CasadiMeta.version()}: do not"
+        " edit, run `make derive`."
+    )
+
+
+def pack_files(pack: Pack) -> dict[str, str]:
+    """Text of every file of a pack by its path within the folder of the pack."""
+    header = provenance(pack.digest)
+    sources = {f"{module.name}.py": _module_source(pack, module) for module in pack.all_modules}
+    modules = _load(sources)
+    kernels = tuple(integration_kernels(pack.model, modules["model"])) if pack.model else ()
+    sweep = sweep_of(pack, modules)
+    texts = {name: f"# {header}\n{text}" for name, text in sources.items()}
+    texts["EQUATIONS.md"] = f"<!-- {header} -->\n{equation_sheet(pack)}"
+    for name, functions in _compiled(pack, modules).items():
+        texts[f"c/{name}.c"] = c_source(name, functions, header)
+    compiled = {} if sweep is None else {sweep.name: sweep.text}
+    for kernel in kernels:
+        compiled[f"{kernel.name}_ensemble"] = kernel.ensemble
+        compiled[f"{kernel.name}_trajectory"] = kernel.trajectory
+    for name, text in compiled.items():
+        texts[f"c/{name}.c"] = f"/* {header} */\n{text}"
+    texts["facts.json"] = facts(pack, _function_table(pack), kernels, sweep)
+    return texts
+
+
+def _module_source(pack: Pack, module: Module) -> str:
+    head = f'"""{module.summary}"""\n\nfrom functools import cache\n\nimport casadi as ca\n'
+    is_model = pack.model is not None and module.name == "model"
+    if is_model:
+        head += "\nfrom groundroll.generated import integrators\n"
+    return "\n\n".join([head, *_blocks(pack, module, is_model)])
+
+
+def _blocks(pack: Pack, module: Module, is_model: bool) -> Iterator[str]:
+    for function in module.functions:
+        yield function.source() + "\n"
+    if not is_model or pack.model is None:
+        return
+    if not module.is_readable:
+        yield _jacobians_source(pack.name)
+    yield places_source(pack.model)
+    for method in integrators.METHODS:
+        yield _integrator_source(pack.name, method)
+
+
+def _jacobians_source(model: str) -> str:
+    return (
+        "@cache\ndef jacobians() -> ca.Function:\n"
+        '    """Jacobians of states and outputs by x, u and p: see `integrators.jacobians`."""\n'
+        f'    return integrators.jacobians(rhs(), outputs(), "{model}_jacobians")\n'
+    )
+
+
+def _integrator_source(model: str, method: str) -> str:
+    return (
+        f"@cache\ndef {method}() -> ca.Function:\n"
+        f'    """Integrate the model over an interval: see `integrators.interval`."""\n'
+        f'    return integrators.interval(rhs(), "{model}_{method}", "{method}")\n'
+    )
+
+
+def _function_table(pack: Pack) -> dict[str, tuple[str, str, str]]:
+    """CasADi name -> module, builder, C file; an empty C file: not compiled."""
+    table: dict[str, tuple[str, str, str]] = {}
+    for module in pack.all_modules:
+        for function in module.functions:
+            table[function.casadi_name] = (module.name, function.name, module.name)
+    if pack.model is not None:
+        name = pack.name
+        table[f"{name}_jacobians"] = ("model", "jacobians", "model")
+        table[f"{name}_places"] = ("model", "places", "")
+        for method in integrators.METHODS:
+            table[f"{name}_{method}"] = ("model", method, method)
+    return table
+
+
+def _compiled(pack: Pack, modules: Mapping[str, ModuleType]) -> dict[str, list[ca.Function]]:
+    """The functions of each C file."""
+    contents: dict[str, list[ca.Function]] = {}
+    for module, builder, c_file in _function_table(pack).values():
+        if c_file:
+            function = getattr(modules[module], builder)()
+            is_large = builder == "jacobians" and not pack.all_modules[0].is_readable
+            made = [function] if is_large else integrators.derivatives(function)
+            contents.setdefault(c_file, []).extend(made)
+    return contents
+
+
+def _load(sources: Mapping[str, str]) -> dict[str, ModuleType]:
+    """Run the Python just generated without installing it."""
+    loaded = {}
+    for path, text in sources.items():
+        module = ModuleType(path.removesuffix(".py"))
+        here = text.replace(
+            "from groundroll.generated import integrators",
+            f"from {integrators.__name__.rpartition('.')[0]} import integrators",
+        )
+        exec(compile(here, path, "exec"), module.__dict__)
+        loaded[module.__name__] = module
+    return loaded
+
+
+def write(folder: Path, texts: Mapping[str, str]) -> None:
+    """Write generated files into a folder, and remove those that are no longer generated."""
+    for path in sorted(folder.rglob("*")):
+        is_wanted = path.relative_to(folder).as_posix() in texts
+        if path.is_file() and not is_wanted and is_generated(path):
+            path.unlink()
+    for name, text in texts.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def is_generated(path: Path) -> bool:
+    """Whether a file says of itself that it is generated."""
+    return MARK.encode() in path.read_bytes()[:200]

@@ -1,0 +1,248 @@
+"""A pack: what was generated of one model, read from its folder."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import casadi as ca
+
+from .compiler import NoCompilerError, opened
+from .library import compiled, say_slower
+from .version import FORMAT, VERSION
+
+
+class PackError(ValueError):
+    """A folder that holds no pack that this version can read; the message says the way out."""
+
+
+class Quantity(NamedTuple):
+    """What a symbol stands for; SI units with radians."""
+
+    symbol: str
+    name: str
+    unit: str
+    meaning: str
+    latex: str
+    sign: str
+    kind: str
+
+
+class Place(NamedTuple):
+    """A part that acts, and how it is drawn; its rows in the function ``places``."""
+
+    name: str
+    kind: str
+
+
+class Event(NamedTuple):
+    """What happens when an output passes through zero, rising or falling."""
+
+    name: str
+    output: str
+    rising: bool
+    meaning: str
+
+
+class Kernel(NamedTuple):
+    """Emitted integrators of some states of a model, and what a caller must know of them."""
+
+    source: str
+    digest: str
+    states: tuple[str, ...]
+    outputs: tuple[str, ...]
+    order: tuple[str, ...]
+    inputs: tuple[str, ...]
+    parameters: tuple[str, ...]
+
+    @property
+    def rows(self) -> tuple[str, ...]:
+        """What can be sampled and watched: its states, then the outputs of the model."""
+        return (*self.states, *self.outputs)
+
+    @property
+    def pack(self) -> Pack:
+        """The pack that it belongs to."""
+        return read_pack(Path(self.source).parent.parent)
+
+
+@dataclass(frozen=True)
+class Pack:
+    """The facts of a pack, and its functions.
+
+    Attributes
+    ----------
+    folder : Path
+    name, summary, digest : str
+        The digest is of the equations: symbols, units, order.
+    abilities : tuple of str
+        What can be done beyond what any model can.
+    quantities : mapping of str to Quantity
+        By symbol.
+    functions : mapping
+        Name of a function -> module, builder, C file.
+    sweeps : mapping
+        Name of a function that has a kernel for many points -> C file.
+    states, dynamic, inputs, parameters, outputs : tuple of str
+        Order of the vectors: x' = f(x, u, p) and y = g(x, u, p). The rates of the dynamic states
+        depend on them; the others are integrals. All empty for a pack without a model.
+    roles : mapping of str to str
+        Which state is ``heading``, ``offset``, ``speed``, ... where there is one.
+    places : tuple of Place
+    events : tuple of Event
+    kernels : mapping of str to Kernel
+    """
+
+    folder: Path
+    name: str
+    summary: str
+    digest: str
+    abilities: tuple[str, ...]
+    quantities: Mapping[str, Quantity]
+    functions: Mapping[str, tuple[str, str, str]]
+    sweeps: Mapping[str, str]
+    states: tuple[str, ...] = ()
+    dynamic: tuple[str, ...] = ()
+    inputs: tuple[str, ...] = ()
+    parameters: tuple[str, ...] = ()
+    outputs: tuple[str, ...] = ()
+    roles: Mapping[str, str] = ()  # type: ignore[assignment]
+    places: tuple[Place, ...] = ()
+    events: tuple[Event, ...] = ()
+    kernels: Mapping[str, Kernel] = ()  # type: ignore[assignment]
+
+    def __hash__(self) -> int:
+        return hash((self.folder, self.digest))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Pack):
+            return NotImplemented
+        return (self.folder, self.digest) == (other.folder, other.digest)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return read_pack, (self.folder,)
+
+    @property
+    def sources(self) -> Path:
+        """Folder of the C files."""
+        return self.folder / "c"
+
+    def load(self, name: str) -> ca.Function:
+        """A function of the pack, compiled if there is a C compiler."""
+        return _load(self, name)
+
+    def build(self, name: str) -> ca.Function:
+        """The function in CasADi's virtual machine, from its Python source."""
+        module, builder, _ = self.functions[name]
+        function: ca.Function = getattr(self._module(module), builder)()
+        return function
+
+    def _module(self, name: str) -> Any:
+        return _module(self.folder / f"{name}.py")
+
+    @cached_property
+    def own(self) -> Mapping[str, str]:
+        """Names of the functions of the model without the name of the pack before them."""
+        start = f"{self.name}_"
+        return {n.removeprefix(start): n for n in self.functions if n.startswith(start)}
+
+
+@cache
+def _load(pack: Pack, name: str) -> ca.Function:
+    c_file = pack.functions[name][2]
+    if not c_file:
+        return pack.build(name)
+    try:
+        library = compiled(pack.sources / f"{c_file}.c", pack.digest, symbol=name)
+        opened(library, name)
+    except NoCompilerError as problem:
+        say_slower(problem)
+        return pack.build(name)
+    return ca.external(name, str(library))
+
+
+@cache
+def _module(path: Path) -> Any:
+    spec = importlib.util.spec_from_file_location(
+        f"groundroll_pack_{path.parent.name}_{path.stem}", path
+    )
+    if spec is None or spec.loader is None:
+        raise PackError(f"{path} cannot be read as Python")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@cache
+def read_pack(folder: Path) -> Pack:
+    """Read the pack in a folder.
+
+    Raises
+    ------
+    PackError
+        If the folder holds no pack, or one that another version has made.
+    """
+    path = folder / "facts.json"
+    try:
+        facts = json.loads(path.read_text(encoding="utf-8"))
+        made_with = str(facts["version"])
+        is_current = facts["format"] == FORMAT and _series(made_with) == _series(VERSION)
+    except FileNotFoundError:
+        raise PackError(
+            f"{folder} is no pack: it holds no facts.json; `groundroll derive model.py --out"
+            f" {folder}` makes one"
+        ) from None
+    except (OSError, ValueError, KeyError, TypeError) as problem:
+        raise PackError(f"{path} cannot be read: {problem}") from None
+    if not is_current:
+        raise PackError(
+            f"the pack in {folder} was made by groundroll {made_with}, this is {VERSION}: make it"
+            " again with `groundroll derive`"
+        )
+    try:
+        return _pack(folder, facts)
+    except (KeyError, TypeError, ValueError) as problem:
+        raise PackError(f"{path} is damaged: {problem!r}; make the pack again") from None
+
+
+def _series(version: str) -> list[str]:
+    return version.split(".")[:2]
+
+
+def _pack(folder: Path, facts: Mapping[str, Any]) -> Pack:
+    groups = {
+        name: tuple(facts.get(name, ()))
+        for name in ("states", "dynamic", "inputs", "parameters", "outputs", "abilities")
+    }
+
+    def kernel(name: str, states: list[str]) -> Kernel:
+        source = str(folder / "c" / name)
+        return Kernel(
+            source,
+            facts["digest"],
+            tuple(states),
+            groups["outputs"],
+            groups["states"],
+            groups["inputs"],
+            groups["parameters"],
+        )
+
+    return Pack(
+        folder=folder,
+        name=facts["name"],
+        summary=facts["summary"],
+        digest=facts["digest"],
+        quantities={s: Quantity(s, *entry) for s, entry in facts["quantities"].items()},
+        functions={name: (m, b, c) for name, (m, b, c) in facts["functions"].items()},
+        sweeps=facts["sweeps"],
+        roles=facts.get("roles", {}),
+        places=tuple(Place(*place) for place in facts.get("places", ())),
+        events=tuple(Event(*event) for event in facts.get("events", ())),
+        kernels={name: kernel(name, states) for name, states in facts.get("kernels", {}).items()},
+        **groups,
+    )

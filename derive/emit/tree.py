@@ -1,0 +1,20 @@
+"""The whole of `generated/`: the packs that ship, and the library that loads packs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .catalogue import packs
+from .pack import pack_files, provenance
+
+HERE = Path(__file__).resolve().parent
+#: Support code that goes along as it stands.
+SHIPPED = ("__init__.py", "compiler.py", "integrators.py", "kernels.py", "library.py", "packs.py", "version.py")
+
+
+def files() -> dict[str, str]:
+    """Text of every generated file by its path within `generated/`."""
+    texts = {name: f"# {provenance()}\n{(HERE / 'shipped' / name).read_text()}" for name in SHIPPED}
+    for pack in packs():
+        texts |= {f"{pack.name}/{path}": text for path, text in pack_files(pack).items()}
+    return texts

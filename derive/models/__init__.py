@@ -1,0 +1,1 @@
+"""The models, one file each: a body and a list of parts."""

@@ -1,0 +1,1 @@
+"""The vocabulary of parts: what a model is put together from."""

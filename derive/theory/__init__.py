@@ -1,0 +1,1 @@
+"""What follows in closed form, for an aircraft and for the linear model."""

@@ -1,0 +1,2916 @@
+/* Generated from derive/ (digest 4e3da0958760807a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) tire_ ## ID
+#endif
+
+#include <math.h>
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int long long int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_f1 CASADI_PREFIX(f1)
+#define casadi_f10 CASADI_PREFIX(f10)
+#define casadi_f11 CASADI_PREFIX(f11)
+#define casadi_f12 CASADI_PREFIX(f12)
+#define casadi_f13 CASADI_PREFIX(f13)
+#define casadi_f14 CASADI_PREFIX(f14)
+#define casadi_f15 CASADI_PREFIX(f15)
+#define casadi_f2 CASADI_PREFIX(f2)
+#define casadi_f3 CASADI_PREFIX(f3)
+#define casadi_f4 CASADI_PREFIX(f4)
+#define casadi_f5 CASADI_PREFIX(f5)
+#define casadi_f6 CASADI_PREFIX(f6)
+#define casadi_f7 CASADI_PREFIX(f7)
+#define casadi_f8 CASADI_PREFIX(f8)
+#define casadi_f9 CASADI_PREFIX(f9)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_sq CASADI_PREFIX(sq)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+casadi_real casadi_sq(casadi_real x) { return x*x;}
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void tire_casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int tire_casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int tire_casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {1, 1, 1};
+static const casadi_int casadi_s1[4] = {1, 1, 0, 0};
+
+/* tire_force:(alpha,Fz,B3,C3,B5,C5,B1,C1,D1,E1)->(F_y,alpha_bar,F_bar,C_c,mu) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
+  a0=arg[8]? arg[8][0] : 0;
+  a1=arg[7]? arg[7][0] : 0;
+  a2=arg[6]? arg[6][0] : 0;
+  a3=arg[2]? arg[2][0] : 0;
+  a4=arg[3]? arg[3][0] : 0;
+  a5=arg[1]? arg[1][0] : 0;
+  a4=(a4*a5);
+  a3=(a3+a4);
+  a4=arg[0]? arg[0][0] : 0;
+  a4=tan(a4);
+  a4=(a3*a4);
+  a6=arg[4]? arg[4][0] : 0;
+  a7=arg[5]? arg[5][0] : 0;
+  a7=(a7*a5);
+  a6=(a6+a7);
+  a4=(a4/a6);
+  a7=1.;
+  a8=arg[9]? arg[9][0] : 0;
+  a7=(a7-a8);
+  a7=(a4*a7);
+  a9=(a2*a4);
+  a9=atan(a9);
+  a8=(a8*a9);
+  a8=(a8/a2);
+  a7=(a7+a8);
+  a2=(a2*a7);
+  a2=atan(a2);
+  a1=(a1*a2);
+  a1=sin(a1);
+  a0=(a0*a1);
+  a5=(a0*a5);
+  a5=(a5*a6);
+  if (res[0]!=0) res[0][0]=a5;
+  if (res[1]!=0) res[1][0]=a4;
+  if (res[2]!=0) res[2][0]=a0;
+  if (res[3]!=0) res[3][0]=a3;
+  if (res[4]!=0) res[4][0]=a6;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_force(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int tire_force_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void tire_force_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_force_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_force_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_force_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_force_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real tire_force_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_force_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "Fz";
+    case 2: return "B3";
+    case 3: return "C3";
+    case 4: return "B5";
+    case 5: return "C5";
+    case 6: return "B1";
+    case 7: return "C1";
+    case 8: return "D1";
+    case 9: return "E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_force_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "F_y";
+    case 1: return "alpha_bar";
+    case 2: return "F_bar";
+    case 3: return "C_c";
+    case 4: return "mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_force_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_force_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int tire_force_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_force_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_tire_force:(alpha,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_F_y[1x1,0nz],out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],out_C_c[1x1,0nz],out_mu[1x1,0nz],fwd_alpha,fwd_Fz,fwd_B3,fwd_C3,fwd_B5,fwd_C5,fwd_B1,fwd_C1,fwd_D1,fwd_E1)->(fwd_F_y,fwd_alpha_bar,fwd_F_bar,fwd_C_c,fwd_mu) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26;
+  a00=arg[4]? arg[4][0] : 0;
+  a01=arg[5]? arg[5][0] : 0;
+  a02=arg[1]? arg[1][0] : 0;
+  a03=(a01*a02);
+  a00=(a00+a03);
+  a03=arg[7]? arg[7][0] : 0;
+  a04=arg[6]? arg[6][0] : 0;
+  a05=arg[2]? arg[2][0] : 0;
+  a06=arg[3]? arg[3][0] : 0;
+  a07=(a06*a02);
+  a05=(a05+a07);
+  a07=arg[0]? arg[0][0] : 0;
+  a08=tan(a07);
+  a09=(a05*a08);
+  a09=(a09/a00);
+  a10=1.;
+  a11=arg[9]? arg[9][0] : 0;
+  a12=(a10-a11);
+  a13=(a09*a12);
+  a14=(a04*a09);
+  a15=atan(a14);
+  a16=(a11*a15);
+  a16=(a16/a04);
+  a13=(a13+a16);
+  a17=(a04*a13);
+  a18=atan(a17);
+  a19=(a03*a18);
+  a20=sin(a19);
+  a21=arg[23]? arg[23][0] : 0;
+  a21=(a20*a21);
+  a22=arg[8]? arg[8][0] : 0;
+  a19=cos(a19);
+  a23=arg[22]? arg[22][0] : 0;
+  a18=(a18*a23);
+  a23=arg[21]? arg[21][0] : 0;
+  a13=(a13*a23);
+  a24=arg[17]? arg[17][0] : 0;
+  a25=arg[18]? arg[18][0] : 0;
+  a25=(a02*a25);
+  a26=arg[16]? arg[16][0] : 0;
+  a06=(a06*a26);
+  a25=(a25+a06);
+  a24=(a24+a25);
+  a08=(a08*a24);
+  a25=arg[15]? arg[15][0] : 0;
+  a07=cos(a07);
+  a07=casadi_sq(a07);
+  a25=(a25/a07);
+  a05=(a05*a25);
+  a08=(a08+a05);
+  a08=(a08/a00);
+  a05=(a09/a00);
+  a25=arg[19]? arg[19][0] : 0;
+  a07=arg[20]? arg[20][0] : 0;
+  a07=(a02*a07);
+  a01=(a01*a26);
+  a07=(a07+a01);
+  a25=(a25+a07);
+  a05=(a05*a25);
+  a08=(a08-a05);
+  a12=(a12*a08);
+  a05=arg[24]? arg[24][0] : 0;
+  a07=(a09*a05);
+  a12=(a12-a07);
+  a15=(a15*a05);
+  a09=(a09*a23);
+  a05=(a04*a08);
+  a09=(a09+a05);
+  a14=casadi_sq(a14);
+  a14=(a10+a14);
+  a09=(a09/a14);
+  a11=(a11*a09);
+  a15=(a15+a11);
+  a15=(a15/a04);
+  a16=(a16/a04);
+  a16=(a16*a23);
+  a15=(a15-a16);
+  a12=(a12+a15);
+  a04=(a04*a12);
+  a13=(a13+a04);
+  a17=casadi_sq(a17);
+  a10=(a10+a17);
+  a13=(a13/a10);
+  a03=(a03*a13);
+  a18=(a18+a03);
+  a19=(a19*a18);
+  a19=(a22*a19);
+  a21=(a21+a19);
+  a19=(a02*a21);
+  a22=(a22*a20);
+  a26=(a22*a26);
+  a19=(a19+a26);
+  a00=(a00*a19);
+  a22=(a22*a02);
+  a22=(a22*a25);
+  a00=(a00+a22);
+  if (res[0]!=0) res[0][0]=a00;
+  if (res[1]!=0) res[1][0]=a08;
+  if (res[2]!=0) res[2][0]=a21;
+  if (res[3]!=0) res[3][0]=a24;
+  if (res[4]!=0) res[4][0]=a25;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_force(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f1(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_force_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_force_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_force_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_force_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_force_n_in(void) { return 25;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_force_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_tire_force_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_force_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "Fz";
+    case 2: return "B3";
+    case 3: return "C3";
+    case 4: return "B5";
+    case 5: return "C5";
+    case 6: return "B1";
+    case 7: return "C1";
+    case 8: return "D1";
+    case 9: return "E1";
+    case 10: return "out_F_y";
+    case 11: return "out_alpha_bar";
+    case 12: return "out_F_bar";
+    case 13: return "out_C_c";
+    case 14: return "out_mu";
+    case 15: return "fwd_alpha";
+    case 16: return "fwd_Fz";
+    case 17: return "fwd_B3";
+    case 18: return "fwd_C3";
+    case 19: return "fwd_B5";
+    case 20: return "fwd_C5";
+    case 21: return "fwd_B1";
+    case 22: return "fwd_C1";
+    case 23: return "fwd_D1";
+    case 24: return "fwd_E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_force_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_F_y";
+    case 1: return "fwd_alpha_bar";
+    case 2: return "fwd_F_bar";
+    case 3: return "fwd_C_c";
+    case 4: return "fwd_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_force_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s0;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s0;
+    case 24: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_force_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_force_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 25;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_force_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 25*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_tire_force:(alpha,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_F_y[1x1,0nz],out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_F_y,adj_alpha_bar,adj_F_bar,adj_C_c,adj_mu)->(adj_alpha,adj_Fz,adj_B3,adj_C3,adj_B5,adj_C5,adj_B1,adj_C1,adj_D1,adj_E1) */
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26;
+  a00=arg[2]? arg[2][0] : 0;
+  a01=arg[3]? arg[3][0] : 0;
+  a02=arg[1]? arg[1][0] : 0;
+  a03=(a01*a02);
+  a00=(a00+a03);
+  a03=arg[16]? arg[16][0] : 0;
+  a04=arg[6]? arg[6][0] : 0;
+  a05=arg[9]? arg[9][0] : 0;
+  a06=arg[7]? arg[7][0] : 0;
+  a07=arg[0]? arg[0][0] : 0;
+  a08=tan(a07);
+  a09=(a00*a08);
+  a10=arg[4]? arg[4][0] : 0;
+  a11=arg[5]? arg[5][0] : 0;
+  a12=(a11*a02);
+  a10=(a10+a12);
+  a09=(a09/a10);
+  a12=1.;
+  a13=(a12-a05);
+  a14=(a09*a13);
+  a15=(a04*a09);
+  a16=atan(a15);
+  a17=(a05*a16);
+  a17=(a17/a04);
+  a14=(a14+a17);
+  a18=(a04*a14);
+  a19=atan(a18);
+  a20=(a06*a19);
+  a21=cos(a20);
+  a22=arg[8]? arg[8][0] : 0;
+  a23=arg[17]? arg[17][0] : 0;
+  a24=arg[15]? arg[15][0] : 0;
+  a25=(a10*a24);
+  a26=(a02*a25);
+  a23=(a23+a26);
+  a26=(a22*a23);
+  a21=(a21*a26);
+  a06=(a06*a21);
+  a18=casadi_sq(a18);
+  a18=(a12+a18);
+  a06=(a06/a18);
+  a05=(a05*a06);
+  a15=casadi_sq(a15);
+  a12=(a12+a15);
+  a05=(a05/a12);
+  a12=(a04*a05);
+  a03=(a03+a12);
+  a12=(a04*a06);
+  a13=(a13*a12);
+  a03=(a03+a13);
+  a13=(a03/a10);
+  a00=(a00*a13);
+  a07=cos(a07);
+  a07=casadi_sq(a07);
+  a00=(a00/a07);
+  if (res[0]!=0) res[0][0]=a00;
+  a20=sin(a20);
+  a22=(a22*a20);
+  a25=(a22*a25);
+  a00=arg[19]? arg[19][0] : 0;
+  a22=(a22*a02);
+  a22=(a22*a24);
+  a00=(a00+a22);
+  a10=(a09/a10);
+  a10=(a10*a03);
+  a00=(a00-a10);
+  a11=(a11*a00);
+  a25=(a25+a11);
+  a11=arg[18]? arg[18][0] : 0;
+  a08=(a08*a13);
+  a11=(a11+a08);
+  a01=(a01*a11);
+  a25=(a25+a01);
+  if (res[1]!=0) res[1][0]=a25;
+  if (res[2]!=0) res[2][0]=a11;
+  a11=(a02*a11);
+  if (res[3]!=0) res[3][0]=a11;
+  if (res[4]!=0) res[4][0]=a00;
+  a02=(a02*a00);
+  if (res[5]!=0) res[5][0]=a02;
+  a14=(a14*a06);
+  a17=(a17/a04);
+  a17=(a17*a12);
+  a14=(a14-a17);
+  a05=(a09*a05);
+  a14=(a14+a05);
+  if (res[6]!=0) res[6][0]=a14;
+  a19=(a19*a21);
+  if (res[7]!=0) res[7][0]=a19;
+  a20=(a20*a23);
+  if (res[8]!=0) res[8][0]=a20;
+  a16=(a16*a06);
+  a09=(a09*a12);
+  a16=(a16-a09);
+  if (res[9]!=0) res[9][0]=a16;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_force(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f2(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_force_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_force_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_force_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_force_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_force_n_in(void) { return 20;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_force_n_out(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_tire_force_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_force_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "Fz";
+    case 2: return "B3";
+    case 3: return "C3";
+    case 4: return "B5";
+    case 5: return "C5";
+    case 6: return "B1";
+    case 7: return "C1";
+    case 8: return "D1";
+    case 9: return "E1";
+    case 10: return "out_F_y";
+    case 11: return "out_alpha_bar";
+    case 12: return "out_F_bar";
+    case 13: return "out_C_c";
+    case 14: return "out_mu";
+    case 15: return "adj_F_y";
+    case 16: return "adj_alpha_bar";
+    case 17: return "adj_F_bar";
+    case 18: return "adj_C_c";
+    case 19: return "adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_force_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_alpha";
+    case 1: return "adj_Fz";
+    case 2: return "adj_B3";
+    case 3: return "adj_C3";
+    case 4: return "adj_B5";
+    case 5: return "adj_C5";
+    case 6: return "adj_B1";
+    case 7: return "adj_C1";
+    case 8: return "adj_D1";
+    case 9: return "adj_E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_force_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s0;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_force_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_force_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_force_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_tire_force:(alpha,Fz,B3,C3,B5,C5,B1,C1,D1,E1,out_F_y[1x1,0nz],out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_F_y,adj_alpha_bar,adj_F_bar,adj_C_c,adj_mu,out_adj_alpha[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_B5[1x1,0nz],out_adj_C5[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],out_adj_E1[1x1,0nz],fwd_alpha,fwd_Fz,fwd_B3,fwd_C3,fwd_B5,fwd_C5,fwd_B1,fwd_C1,fwd_D1,fwd_E1,fwd_out_F_y[1x1,0nz],fwd_out_alpha_bar[1x1,0nz],fwd_out_F_bar[1x1,0nz],fwd_out_C_c[1x1,0nz],fwd_out_mu[1x1,0nz],fwd_adj_F_y,fwd_adj_alpha_bar,fwd_adj_F_bar,fwd_adj_C_c,fwd_adj_mu)->(fwd_adj_alpha,fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3,fwd_adj_B5,fwd_adj_C5,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1,fwd_adj_E1) */
+static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
+  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
+  a00=arg[16]? arg[16][0] : 0;
+  a01=arg[6]? arg[6][0] : 0;
+  a02=arg[9]? arg[9][0] : 0;
+  a03=arg[7]? arg[7][0] : 0;
+  a04=arg[2]? arg[2][0] : 0;
+  a05=arg[3]? arg[3][0] : 0;
+  a06=arg[1]? arg[1][0] : 0;
+  a07=(a05*a06);
+  a04=(a04+a07);
+  a07=arg[0]? arg[0][0] : 0;
+  a08=tan(a07);
+  a09=(a04*a08);
+  a10=arg[4]? arg[4][0] : 0;
+  a11=arg[5]? arg[5][0] : 0;
+  a12=(a11*a06);
+  a10=(a10+a12);
+  a09=(a09/a10);
+  a12=1.;
+  a13=(a12-a02);
+  a14=(a09*a13);
+  a15=(a01*a09);
+  a16=atan(a15);
+  a17=(a02*a16);
+  a17=(a17/a01);
+  a14=(a14+a17);
+  a18=(a01*a14);
+  a19=atan(a18);
+  a20=(a03*a19);
+  a21=cos(a20);
+  a22=arg[8]? arg[8][0] : 0;
+  a23=arg[17]? arg[17][0] : 0;
+  a24=arg[15]? arg[15][0] : 0;
+  a25=(a10*a24);
+  a26=(a06*a25);
+  a23=(a23+a26);
+  a26=(a22*a23);
+  a27=(a21*a26);
+  a28=(a03*a27);
+  a29=casadi_sq(a18);
+  a29=(a12+a29);
+  a28=(a28/a29);
+  a30=(a02*a28);
+  a31=casadi_sq(a15);
+  a31=(a12+a31);
+  a30=(a30/a31);
+  a32=(a01*a30);
+  a00=(a00+a32);
+  a32=(a01*a28);
+  a33=(a13*a32);
+  a00=(a00+a33);
+  a33=(a00/a10);
+  a34=arg[32]? arg[32][0] : 0;
+  a35=arg[33]? arg[33][0] : 0;
+  a36=(a06*a35);
+  a37=arg[31]? arg[31][0] : 0;
+  a38=(a05*a37);
+  a36=(a36+a38);
+  a34=(a34+a36);
+  a36=(a33*a34);
+  a38=arg[46]? arg[46][0] : 0;
+  a39=arg[36]? arg[36][0] : 0;
+  a40=(a30*a39);
+  a41=arg[39]? arg[39][0] : 0;
+  a42=(a28*a41);
+  a43=arg[37]? arg[37][0] : 0;
+  a44=(a27*a43);
+  a45=arg[38]? arg[38][0] : 0;
+  a46=(a23*a45);
+  a47=arg[47]? arg[47][0] : 0;
+  a48=(a25*a37);
+  a49=arg[34]? arg[34][0] : 0;
+  a50=arg[35]? arg[35][0] : 0;
+  a51=(a06*a50);
+  a52=(a11*a37);
+  a51=(a51+a52);
+  a49=(a49+a51);
+  a51=(a24*a49);
+  a52=arg[45]? arg[45][0] : 0;
+  a53=(a10*a52);
+  a51=(a51+a53);
+  a53=(a06*a51);
+  a48=(a48+a53);
+  a47=(a47+a48);
+  a48=(a22*a47);
+  a46=(a46+a48);
+  a21=(a21*a46);
+  a46=sin(a20);
+  a43=(a19*a43);
+  a48=(a14*a39);
+  a34=(a08*a34);
+  a53=arg[30]? arg[30][0] : 0;
+  a54=cos(a07);
+  a54=casadi_sq(a54);
+  a54=(a53/a54);
+  a55=(a04*a54);
+  a34=(a34+a55);
+  a34=(a34/a10);
+  a55=(a09/a10);
+  a55=(a55*a49);
+  a34=(a34-a55);
+  a55=(a13*a34);
+  a56=(a09*a41);
+  a55=(a55-a56);
+  a56=(a16*a41);
+  a57=(a09*a39);
+  a58=(a01*a34);
+  a57=(a57+a58);
+  a58=casadi_sq(a15);
+  a58=(a12+a58);
+  a58=(a57/a58);
+  a59=(a02*a58);
+  a56=(a56+a59);
+  a56=(a56/a01);
+  a59=(a17/a01);
+  a59=(a59*a39);
+  a56=(a56-a59);
+  a55=(a55+a56);
+  a59=(a01*a55);
+  a48=(a48+a59);
+  a59=casadi_sq(a18);
+  a12=(a12+a59);
+  a12=(a48/a12);
+  a59=(a03*a12);
+  a43=(a43+a59);
+  a46=(a46*a43);
+  a26=(a26*a46);
+  a21=(a21-a26);
+  a03=(a03*a21);
+  a44=(a44+a03);
+  a44=(a44/a29);
+  a29=(a28/a29);
+  a18=(2.*a18);
+  a18=(a18*a48);
+  a29=(a29*a18);
+  a44=(a44-a29);
+  a02=(a02*a44);
+  a42=(a42+a02);
+  a42=(a42/a31);
+  a31=(a30/a31);
+  a15=(2.*a15);
+  a15=(a15*a57);
+  a31=(a31*a15);
+  a42=(a42-a31);
+  a31=(a01*a42);
+  a40=(a40+a31);
+  a38=(a38+a40);
+  a40=(a28*a39);
+  a31=(a01*a44);
+  a40=(a40+a31);
+  a13=(a13*a40);
+  a41=(a32*a41);
+  a13=(a13-a41);
+  a38=(a38+a13);
+  a13=(a38/a10);
+  a41=(a33/a10);
+  a41=(a41*a49);
+  a13=(a13-a41);
+  a41=(a04*a13);
+  a36=(a36+a41);
+  a41=cos(a07);
+  a31=casadi_sq(a41);
+  a36=(a36/a31);
+  a04=(a04*a33);
+  a04=(a04/a31);
+  a04=(a04/a31);
+  a41=(2.*a41);
+  a07=sin(a07);
+  a07=(a07*a53);
+  a41=(a41*a07);
+  a04=(a04*a41);
+  a36=(a36+a04);
+  if (res[0]!=0) res[0][0]=a36;
+  a36=sin(a20);
+  a45=(a36*a45);
+  a20=cos(a20);
+  a20=(a20*a43);
+  a43=(a22*a20);
+  a45=(a45+a43);
+  a25=(a25*a45);
+  a22=(a22*a36);
+  a51=(a22*a51);
+  a25=(a25+a51);
+  a51=arg[19]? arg[19][0] : 0;
+  a43=(a22*a06);
+  a04=(a43*a24);
+  a51=(a51+a04);
+  a04=(a09/a10);
+  a41=(a04*a00);
+  a51=(a51-a41);
+  a50=(a51*a50);
+  a41=arg[49]? arg[49][0] : 0;
+  a45=(a06*a45);
+  a22=(a22*a37);
+  a45=(a45+a22);
+  a24=(a24*a45);
+  a43=(a43*a52);
+  a24=(a24+a43);
+  a41=(a41+a24);
+  a24=(a34/a10);
+  a10=(a04/a10);
+  a10=(a10*a49);
+  a24=(a24-a10);
+  a00=(a00*a24);
+  a04=(a04*a38);
+  a00=(a00+a04);
+  a41=(a41-a00);
+  a11=(a11*a41);
+  a50=(a50+a11);
+  a25=(a25+a50);
+  a50=arg[18]? arg[18][0] : 0;
+  a11=(a08*a33);
+  a50=(a50+a11);
+  a35=(a50*a35);
+  a11=arg[48]? arg[48][0] : 0;
+  a33=(a33*a54);
+  a08=(a08*a13);
+  a33=(a33+a08);
+  a11=(a11+a33);
+  a05=(a05*a11);
+  a35=(a35+a05);
+  a25=(a25+a35);
+  if (res[1]!=0) res[1][0]=a25;
+  if (res[2]!=0) res[2][0]=a11;
+  a50=(a50*a37);
+  a11=(a06*a11);
+  a50=(a50+a11);
+  if (res[3]!=0) res[3][0]=a50;
+  if (res[4]!=0) res[4][0]=a41;
+  a51=(a51*a37);
+  a06=(a06*a41);
+  a51=(a51+a06);
+  if (res[5]!=0) res[5][0]=a51;
+  a55=(a28*a55);
+  a14=(a14*a44);
+  a55=(a55+a14);
+  a56=(a56/a01);
+  a17=(a17/a01);
+  a01=(a17/a01);
+  a01=(a01*a39);
+  a56=(a56-a01);
+  a56=(a32*a56);
+  a17=(a17*a40);
+  a56=(a56+a17);
+  a55=(a55-a56);
+  a30=(a30*a34);
+  a42=(a09*a42);
+  a30=(a30+a42);
+  a55=(a55+a30);
+  if (res[6]!=0) res[6][0]=a55;
+  a27=(a27*a12);
+  a19=(a19*a21);
+  a27=(a27+a19);
+  if (res[7]!=0) res[7][0]=a27;
+  a23=(a23*a20);
+  a36=(a36*a47);
+  a23=(a23+a36);
+  if (res[8]!=0) res[8][0]=a23;
+  a28=(a28*a58);
+  a16=(a16*a44);
+  a28=(a28+a16);
+  a32=(a32*a34);
+  a09=(a09*a40);
+  a32=(a32+a09);
+  a28=(a28-a32);
+  if (res[9]!=0) res[9][0]=a28;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_force(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f3(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_force_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_force_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_force_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_force_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_force_n_in(void) { return 50;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_force_n_out(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_tire_force_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_force_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "Fz";
+    case 2: return "B3";
+    case 3: return "C3";
+    case 4: return "B5";
+    case 5: return "C5";
+    case 6: return "B1";
+    case 7: return "C1";
+    case 8: return "D1";
+    case 9: return "E1";
+    case 10: return "out_F_y";
+    case 11: return "out_alpha_bar";
+    case 12: return "out_F_bar";
+    case 13: return "out_C_c";
+    case 14: return "out_mu";
+    case 15: return "adj_F_y";
+    case 16: return "adj_alpha_bar";
+    case 17: return "adj_F_bar";
+    case 18: return "adj_C_c";
+    case 19: return "adj_mu";
+    case 20: return "out_adj_alpha";
+    case 21: return "out_adj_Fz";
+    case 22: return "out_adj_B3";
+    case 23: return "out_adj_C3";
+    case 24: return "out_adj_B5";
+    case 25: return "out_adj_C5";
+    case 26: return "out_adj_B1";
+    case 27: return "out_adj_C1";
+    case 28: return "out_adj_D1";
+    case 29: return "out_adj_E1";
+    case 30: return "fwd_alpha";
+    case 31: return "fwd_Fz";
+    case 32: return "fwd_B3";
+    case 33: return "fwd_C3";
+    case 34: return "fwd_B5";
+    case 35: return "fwd_C5";
+    case 36: return "fwd_B1";
+    case 37: return "fwd_C1";
+    case 38: return "fwd_D1";
+    case 39: return "fwd_E1";
+    case 40: return "fwd_out_F_y";
+    case 41: return "fwd_out_alpha_bar";
+    case 42: return "fwd_out_F_bar";
+    case 43: return "fwd_out_C_c";
+    case 44: return "fwd_out_mu";
+    case 45: return "fwd_adj_F_y";
+    case 46: return "fwd_adj_alpha_bar";
+    case 47: return "fwd_adj_F_bar";
+    case 48: return "fwd_adj_C_c";
+    case 49: return "fwd_adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_force_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_alpha";
+    case 1: return "fwd_adj_Fz";
+    case 2: return "fwd_adj_B3";
+    case 3: return "fwd_adj_C3";
+    case 4: return "fwd_adj_B5";
+    case 5: return "fwd_adj_C5";
+    case 6: return "fwd_adj_B1";
+    case 7: return "fwd_adj_C1";
+    case 8: return "fwd_adj_D1";
+    case 9: return "fwd_adj_E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_force_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s1;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s0;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    case 20: return casadi_s1;
+    case 21: return casadi_s1;
+    case 22: return casadi_s1;
+    case 23: return casadi_s1;
+    case 24: return casadi_s1;
+    case 25: return casadi_s1;
+    case 26: return casadi_s1;
+    case 27: return casadi_s1;
+    case 28: return casadi_s1;
+    case 29: return casadi_s1;
+    case 30: return casadi_s0;
+    case 31: return casadi_s0;
+    case 32: return casadi_s0;
+    case 33: return casadi_s0;
+    case 34: return casadi_s0;
+    case 35: return casadi_s0;
+    case 36: return casadi_s0;
+    case 37: return casadi_s0;
+    case 38: return casadi_s0;
+    case 39: return casadi_s0;
+    case 40: return casadi_s1;
+    case 41: return casadi_s1;
+    case 42: return casadi_s1;
+    case 43: return casadi_s1;
+    case 44: return casadi_s1;
+    case 45: return casadi_s0;
+    case 46: return casadi_s0;
+    case 47: return casadi_s0;
+    case 48: return casadi_s0;
+    case 49: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_force_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_force_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 50;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_force_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 50*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* magic_formula:(alpha_bar,B1,C1,D1,E1)->(F_bar) */
+static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[2]? arg[2][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
+  a3=arg[0]? arg[0][0] : 0;
+  a4=1.;
+  a5=arg[4]? arg[4][0] : 0;
+  a4=(a4-a5);
+  a4=(a3*a4);
+  a3=(a2*a3);
+  a3=atan(a3);
+  a5=(a5*a3);
+  a5=(a5/a2);
+  a4=(a4+a5);
+  a2=(a2*a4);
+  a2=atan(a2);
+  a1=(a1*a2);
+  a1=sin(a1);
+  a0=(a0*a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f4(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void magic_formula_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void magic_formula_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void magic_formula_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int magic_formula_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int magic_formula_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real magic_formula_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* magic_formula_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha_bar";
+    case 1: return "B1";
+    case 2: return "C1";
+    case 3: return "D1";
+    case 4: return "E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* magic_formula_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* magic_formula_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* magic_formula_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1)->(fwd_F_bar) */
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18;
+  a00=arg[2]? arg[2][0] : 0;
+  a01=arg[1]? arg[1][0] : 0;
+  a02=arg[0]? arg[0][0] : 0;
+  a03=1.;
+  a04=arg[4]? arg[4][0] : 0;
+  a05=(a03-a04);
+  a06=(a02*a05);
+  a07=(a01*a02);
+  a08=atan(a07);
+  a09=(a04*a08);
+  a09=(a09/a01);
+  a06=(a06+a09);
+  a10=(a01*a06);
+  a11=atan(a10);
+  a12=(a00*a11);
+  a13=sin(a12);
+  a14=arg[9]? arg[9][0] : 0;
+  a13=(a13*a14);
+  a14=arg[3]? arg[3][0] : 0;
+  a12=cos(a12);
+  a15=arg[8]? arg[8][0] : 0;
+  a11=(a11*a15);
+  a15=arg[7]? arg[7][0] : 0;
+  a06=(a06*a15);
+  a16=arg[6]? arg[6][0] : 0;
+  a05=(a05*a16);
+  a17=arg[10]? arg[10][0] : 0;
+  a18=(a02*a17);
+  a05=(a05-a18);
+  a08=(a08*a17);
+  a02=(a02*a15);
+  a16=(a01*a16);
+  a02=(a02+a16);
+  a07=casadi_sq(a07);
+  a07=(a03+a07);
+  a02=(a02/a07);
+  a04=(a04*a02);
+  a08=(a08+a04);
+  a08=(a08/a01);
+  a09=(a09/a01);
+  a09=(a09*a15);
+  a08=(a08-a09);
+  a05=(a05+a08);
+  a01=(a01*a05);
+  a06=(a06+a01);
+  a10=casadi_sq(a10);
+  a03=(a03+a10);
+  a06=(a06/a03);
+  a00=(a00*a06);
+  a11=(a11+a00);
+  a12=(a12*a11);
+  a14=(a14*a12);
+  a13=(a13+a14);
+  if (res[0]!=0) res[0][0]=a13;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f5(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_magic_formula_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_magic_formula_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_magic_formula_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_magic_formula_n_in(void) { return 11;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_magic_formula_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_magic_formula_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_magic_formula_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha_bar";
+    case 1: return "B1";
+    case 2: return "C1";
+    case 3: return "D1";
+    case 4: return "E1";
+    case 5: return "out_F_bar";
+    case 6: return "fwd_alpha_bar";
+    case 7: return "fwd_B1";
+    case 8: return "fwd_C1";
+    case 9: return "fwd_D1";
+    case 10: return "fwd_E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_magic_formula_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_magic_formula_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_magic_formula_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 11;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 11*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar)->(adj_alpha_bar,adj_B1,adj_C1,adj_D1,adj_E1) */
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15;
+  a00=arg[1]? arg[1][0] : 0;
+  a01=arg[4]? arg[4][0] : 0;
+  a02=arg[2]? arg[2][0] : 0;
+  a03=arg[0]? arg[0][0] : 0;
+  a04=1.;
+  a05=(a04-a01);
+  a06=(a03*a05);
+  a07=(a00*a03);
+  a08=atan(a07);
+  a09=(a01*a08);
+  a09=(a09/a00);
+  a06=(a06+a09);
+  a10=(a00*a06);
+  a11=atan(a10);
+  a12=(a02*a11);
+  a13=cos(a12);
+  a14=arg[3]? arg[3][0] : 0;
+  a15=arg[6]? arg[6][0] : 0;
+  a14=(a14*a15);
+  a13=(a13*a14);
+  a02=(a02*a13);
+  a10=casadi_sq(a10);
+  a10=(a04+a10);
+  a02=(a02/a10);
+  a01=(a01*a02);
+  a07=casadi_sq(a07);
+  a04=(a04+a07);
+  a01=(a01/a04);
+  a04=(a00*a01);
+  a07=(a00*a02);
+  a05=(a05*a07);
+  a04=(a04+a05);
+  if (res[0]!=0) res[0][0]=a04;
+  a06=(a06*a02);
+  a09=(a09/a00);
+  a09=(a09*a07);
+  a06=(a06-a09);
+  a01=(a03*a01);
+  a06=(a06+a01);
+  if (res[1]!=0) res[1][0]=a06;
+  a11=(a11*a13);
+  if (res[2]!=0) res[2][0]=a11;
+  a12=sin(a12);
+  a12=(a12*a15);
+  if (res[3]!=0) res[3][0]=a12;
+  a08=(a08*a02);
+  a03=(a03*a07);
+  a08=(a08-a03);
+  if (res[4]!=0) res[4][0]=a08;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f6(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_magic_formula_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_magic_formula_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_magic_formula_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_magic_formula_n_in(void) { return 7;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_magic_formula_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_magic_formula_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_magic_formula_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha_bar";
+    case 1: return "B1";
+    case 2: return "C1";
+    case 3: return "D1";
+    case 4: return "E1";
+    case 5: return "out_F_bar";
+    case 6: return "adj_F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_magic_formula_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_alpha_bar";
+    case 1: return "adj_B1";
+    case 2: return "adj_C1";
+    case 3: return "adj_D1";
+    case 4: return "adj_E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_magic_formula_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_magic_formula_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar,out_adj_alpha_bar[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],out_adj_E1[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1,fwd_out_F_bar[1x1,0nz],fwd_adj_F_bar)->(fwd_adj_alpha_bar,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1,fwd_adj_E1) */
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  a00=arg[4]? arg[4][0] : 0;
+  a01=arg[2]? arg[2][0] : 0;
+  a02=arg[1]? arg[1][0] : 0;
+  a03=arg[0]? arg[0][0] : 0;
+  a04=1.;
+  a05=(a04-a00);
+  a06=(a03*a05);
+  a07=(a02*a03);
+  a08=atan(a07);
+  a09=(a00*a08);
+  a09=(a09/a02);
+  a06=(a06+a09);
+  a10=(a02*a06);
+  a11=atan(a10);
+  a12=(a01*a11);
+  a13=cos(a12);
+  a14=arg[3]? arg[3][0] : 0;
+  a15=arg[6]? arg[6][0] : 0;
+  a16=(a14*a15);
+  a17=(a13*a16);
+  a18=(a01*a17);
+  a19=casadi_sq(a10);
+  a19=(a04+a19);
+  a18=(a18/a19);
+  a20=(a00*a18);
+  a21=casadi_sq(a07);
+  a21=(a04+a21);
+  a20=(a20/a21);
+  a22=arg[13]? arg[13][0] : 0;
+  a23=(a20*a22);
+  a24=arg[16]? arg[16][0] : 0;
+  a25=(a18*a24);
+  a26=arg[14]? arg[14][0] : 0;
+  a27=(a17*a26);
+  a28=arg[15]? arg[15][0] : 0;
+  a28=(a15*a28);
+  a29=arg[18]? arg[18][0] : 0;
+  a14=(a14*a29);
+  a28=(a28+a14);
+  a13=(a13*a28);
+  a28=sin(a12);
+  a26=(a11*a26);
+  a14=(a06*a22);
+  a30=arg[12]? arg[12][0] : 0;
+  a31=(a05*a30);
+  a32=(a03*a24);
+  a31=(a31-a32);
+  a32=(a08*a24);
+  a33=(a03*a22);
+  a34=(a02*a30);
+  a33=(a33+a34);
+  a34=casadi_sq(a07);
+  a34=(a04+a34);
+  a34=(a33/a34);
+  a35=(a00*a34);
+  a32=(a32+a35);
+  a32=(a32/a02);
+  a35=(a09/a02);
+  a35=(a35*a22);
+  a32=(a32-a35);
+  a31=(a31+a32);
+  a35=(a02*a31);
+  a14=(a14+a35);
+  a35=casadi_sq(a10);
+  a04=(a04+a35);
+  a04=(a14/a04);
+  a35=(a01*a04);
+  a26=(a26+a35);
+  a28=(a28*a26);
+  a16=(a16*a28);
+  a13=(a13-a16);
+  a01=(a01*a13);
+  a27=(a27+a01);
+  a27=(a27/a19);
+  a19=(a18/a19);
+  a10=(2.*a10);
+  a10=(a10*a14);
+  a19=(a19*a10);
+  a27=(a27-a19);
+  a00=(a00*a27);
+  a25=(a25+a00);
+  a25=(a25/a21);
+  a21=(a20/a21);
+  a07=(2.*a07);
+  a07=(a07*a33);
+  a21=(a21*a07);
+  a25=(a25-a21);
+  a21=(a02*a25);
+  a23=(a23+a21);
+  a21=(a18*a22);
+  a07=(a02*a27);
+  a21=(a21+a07);
+  a05=(a05*a21);
+  a07=(a02*a18);
+  a24=(a07*a24);
+  a05=(a05-a24);
+  a23=(a23+a05);
+  if (res[0]!=0) res[0][0]=a23;
+  a31=(a18*a31);
+  a06=(a06*a27);
+  a31=(a31+a06);
+  a32=(a32/a02);
+  a09=(a09/a02);
+  a02=(a09/a02);
+  a02=(a02*a22);
+  a32=(a32-a02);
+  a32=(a07*a32);
+  a09=(a09*a21);
+  a32=(a32+a09);
+  a31=(a31-a32);
+  a20=(a20*a30);
+  a25=(a03*a25);
+  a20=(a20+a25);
+  a31=(a31+a20);
+  if (res[1]!=0) res[1][0]=a31;
+  a17=(a17*a04);
+  a11=(a11*a13);
+  a17=(a17+a11);
+  if (res[2]!=0) res[2][0]=a17;
+  a17=cos(a12);
+  a17=(a17*a26);
+  a15=(a15*a17);
+  a12=sin(a12);
+  a12=(a12*a29);
+  a15=(a15+a12);
+  if (res[3]!=0) res[3][0]=a15;
+  a18=(a18*a34);
+  a08=(a08*a27);
+  a18=(a18+a08);
+  a07=(a07*a30);
+  a03=(a03*a21);
+  a07=(a07+a03);
+  a18=(a18-a07);
+  if (res[4]!=0) res[4][0]=a18;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f7(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_magic_formula_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_magic_formula_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_magic_formula_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_magic_formula_n_in(void) { return 19;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_magic_formula_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_magic_formula_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_magic_formula_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha_bar";
+    case 1: return "B1";
+    case 2: return "C1";
+    case 3: return "D1";
+    case 4: return "E1";
+    case 5: return "out_F_bar";
+    case 6: return "adj_F_bar";
+    case 7: return "out_adj_alpha_bar";
+    case 8: return "out_adj_B1";
+    case 9: return "out_adj_C1";
+    case 10: return "out_adj_D1";
+    case 11: return "out_adj_E1";
+    case 12: return "fwd_alpha_bar";
+    case 13: return "fwd_B1";
+    case 14: return "fwd_C1";
+    case 15: return "fwd_D1";
+    case 16: return "fwd_E1";
+    case 17: return "fwd_out_F_bar";
+    case 18: return "fwd_adj_F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_magic_formula_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_alpha_bar";
+    case 1: return "fwd_adj_B1";
+    case 2: return "fwd_adj_C1";
+    case 3: return "fwd_adj_D1";
+    case 4: return "fwd_adj_E1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_magic_formula_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s1;
+    case 18: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_magic_formula_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 19;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 19*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* measured_coefficients:(alpha,F_y,F_peak,Fz)->(C_c,mu) */
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[1]? arg[1][0] : 0;
+  a1=arg[3]? arg[3][0] : 0;
+  a2=arg[0]? arg[0][0] : 0;
+  a2=(a1*a2);
+  a0=(a0/a2);
+  if (res[0]!=0) res[0][0]=a0;
+  a0=arg[2]? arg[2][0] : 0;
+  a0=(a0/a1);
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f8(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int measured_coefficients_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void measured_coefficients_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void measured_coefficients_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void measured_coefficients_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int measured_coefficients_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int measured_coefficients_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real measured_coefficients_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* measured_coefficients_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "F_peak";
+    case 3: return "Fz";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* measured_coefficients_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "C_c";
+    case 1: return "mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* measured_coefficients_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* measured_coefficients_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int measured_coefficients_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int measured_coefficients_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz)->(fwd_C_c,fwd_mu) */
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5;
+  a0=arg[7]? arg[7][0] : 0;
+  a1=arg[3]? arg[3][0] : 0;
+  a2=arg[0]? arg[0][0] : 0;
+  a3=(a1*a2);
+  a0=(a0/a3);
+  a4=arg[1]? arg[1][0] : 0;
+  a4=(a4/a3);
+  a4=(a4/a3);
+  a3=arg[9]? arg[9][0] : 0;
+  a2=(a2*a3);
+  a5=arg[6]? arg[6][0] : 0;
+  a5=(a1*a5);
+  a2=(a2+a5);
+  a4=(a4*a2);
+  a0=(a0-a4);
+  if (res[0]!=0) res[0][0]=a0;
+  a0=arg[8]? arg[8][0] : 0;
+  a0=(a0/a1);
+  a4=arg[2]? arg[2][0] : 0;
+  a4=(a4/a1);
+  a4=(a4/a1);
+  a4=(a4*a3);
+  a0=(a0-a4);
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_measured_coefficients_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_measured_coefficients_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_measured_coefficients_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_measured_coefficients_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_measured_coefficients_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_measured_coefficients_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_measured_coefficients_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "F_peak";
+    case 3: return "Fz";
+    case 4: return "out_C_c";
+    case 5: return "out_mu";
+    case 6: return "fwd_alpha";
+    case 7: return "fwd_F_y";
+    case 8: return "fwd_F_peak";
+    case 9: return "fwd_Fz";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_measured_coefficients_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_C_c";
+    case 1: return "fwd_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_measured_coefficients_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_measured_coefficients_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu)->(adj_alpha,adj_F_y,adj_F_peak,adj_Fz) */
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[1]? arg[1][0] : 0;
+  a2=arg[0]? arg[0][0] : 0;
+  a3=(a0*a2);
+  a1=(a1/a3);
+  a1=(a1/a3);
+  a4=arg[6]? arg[6][0] : 0;
+  a1=(a1*a4);
+  a5=(a0*a1);
+  a5=(-a5);
+  if (res[0]!=0) res[0][0]=a5;
+  a4=(a4/a3);
+  if (res[1]!=0) res[1][0]=a4;
+  a4=arg[7]? arg[7][0] : 0;
+  a3=(a4/a0);
+  if (res[2]!=0) res[2][0]=a3;
+  a3=arg[2]? arg[2][0] : 0;
+  a3=(a3/a0);
+  a3=(a3/a0);
+  a3=(a3*a4);
+  a2=(a2*a1);
+  a3=(a3+a2);
+  a3=(-a3);
+  if (res[3]!=0) res[3][0]=a3;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f10(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_measured_coefficients_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_measured_coefficients_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_measured_coefficients_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_measured_coefficients_n_in(void) { return 8;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_measured_coefficients_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_measured_coefficients_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_measured_coefficients_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "F_peak";
+    case 3: return "Fz";
+    case 4: return "out_C_c";
+    case 5: return "out_mu";
+    case 6: return "adj_C_c";
+    case 7: return "adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_measured_coefficients_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_alpha";
+    case 1: return "adj_F_y";
+    case 2: return "adj_F_peak";
+    case 3: return "adj_Fz";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_measured_coefficients_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_measured_coefficients_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 8;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 8*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_F_peak[1x1,0nz],out_adj_Fz[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz,fwd_out_C_c[1x1,0nz],fwd_out_mu[1x1,0nz],fwd_adj_C_c,fwd_adj_mu)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_F_peak,fwd_adj_Fz) */
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12;
+  a00=arg[1]? arg[1][0] : 0;
+  a01=arg[3]? arg[3][0] : 0;
+  a02=arg[0]? arg[0][0] : 0;
+  a03=(a01*a02);
+  a00=(a00/a03);
+  a04=(a00/a03);
+  a05=arg[6]? arg[6][0] : 0;
+  a06=(a04*a05);
+  a07=arg[15]? arg[15][0] : 0;
+  a08=(a06*a07);
+  a09=arg[13]? arg[13][0] : 0;
+  a09=(a09/a03);
+  a00=(a00/a03);
+  a10=(a02*a07);
+  a11=arg[12]? arg[12][0] : 0;
+  a12=(a01*a11);
+  a10=(a10+a12);
+  a00=(a00*a10);
+  a09=(a09-a00);
+  a09=(a09/a03);
+  a00=(a04/a03);
+  a00=(a00*a10);
+  a09=(a09-a00);
+  a09=(a05*a09);
+  a00=arg[18]? arg[18][0] : 0;
+  a04=(a04*a00);
+  a09=(a09+a04);
+  a04=(a01*a09);
+  a08=(a08+a04);
+  a08=(-a08);
+  if (res[0]!=0) res[0][0]=a08;
+  a00=(a00/a03);
+  a05=(a05/a03);
+  a05=(a05/a03);
+  a05=(a05*a10);
+  a00=(a00-a05);
+  if (res[1]!=0) res[1][0]=a00;
+  a00=arg[19]? arg[19][0] : 0;
+  a05=(a00/a01);
+  a10=arg[7]? arg[7][0] : 0;
+  a03=(a10/a01);
+  a03=(a03/a01);
+  a03=(a03*a07);
+  a05=(a05-a03);
+  if (res[2]!=0) res[2][0]=a05;
+  a05=arg[14]? arg[14][0] : 0;
+  a05=(a05/a01);
+  a03=arg[2]? arg[2][0] : 0;
+  a03=(a03/a01);
+  a08=(a03/a01);
+  a08=(a08*a07);
+  a05=(a05-a08);
+  a05=(a05/a01);
+  a03=(a03/a01);
+  a01=(a03/a01);
+  a01=(a01*a07);
+  a05=(a05-a01);
+  a10=(a10*a05);
+  a03=(a03*a00);
+  a10=(a10+a03);
+  a06=(a06*a11);
+  a02=(a02*a09);
+  a06=(a06+a02);
+  a10=(a10+a06);
+  a10=(-a10);
+  if (res[3]!=0) res[3][0]=a10;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f11(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_measured_coefficients_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_measured_coefficients_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_measured_coefficients_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_measured_coefficients_n_in(void) { return 20;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_measured_coefficients_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_measured_coefficients_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_measured_coefficients_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "F_peak";
+    case 3: return "Fz";
+    case 4: return "out_C_c";
+    case 5: return "out_mu";
+    case 6: return "adj_C_c";
+    case 7: return "adj_mu";
+    case 8: return "out_adj_alpha";
+    case 9: return "out_adj_F_y";
+    case 10: return "out_adj_F_peak";
+    case 11: return "out_adj_Fz";
+    case 12: return "fwd_alpha";
+    case 13: return "fwd_F_y";
+    case 14: return "fwd_F_peak";
+    case 15: return "fwd_Fz";
+    case 16: return "fwd_out_C_c";
+    case 17: return "fwd_out_mu";
+    case 18: return "fwd_adj_C_c";
+    case 19: return "fwd_adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_measured_coefficients_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_alpha";
+    case 1: return "fwd_adj_F_y";
+    case 2: return "fwd_adj_F_peak";
+    case 3: return "fwd_adj_Fz";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_measured_coefficients_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    case 15: return casadi_s0;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_measured_coefficients_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* normalised_data:(alpha,F_y,Fz,C_c,mu)->(alpha_bar,F_bar) */
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[0]? arg[0][0] : 0;
+  a1=tan(a1);
+  a0=(a0*a1);
+  a1=arg[4]? arg[4][0] : 0;
+  a0=(a0/a1);
+  if (res[0]!=0) res[0][0]=a0;
+  a0=arg[1]? arg[1][0] : 0;
+  a2=arg[2]? arg[2][0] : 0;
+  a2=(a2*a1);
+  a0=(a0/a2);
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f12(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int normalised_data_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void normalised_data_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void normalised_data_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void normalised_data_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int normalised_data_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int normalised_data_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real normalised_data_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* normalised_data_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "Fz";
+    case 3: return "C_c";
+    case 4: return "mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* normalised_data_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha_bar";
+    case 1: return "F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* normalised_data_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* normalised_data_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int normalised_data_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int normalised_data_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu)->(fwd_alpha_bar,fwd_F_bar) */
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=tan(a0);
+  a2=arg[10]? arg[10][0] : 0;
+  a2=(a1*a2);
+  a3=arg[3]? arg[3][0] : 0;
+  a4=arg[7]? arg[7][0] : 0;
+  a0=cos(a0);
+  a0=casadi_sq(a0);
+  a4=(a4/a0);
+  a4=(a3*a4);
+  a2=(a2+a4);
+  a4=arg[4]? arg[4][0] : 0;
+  a2=(a2/a4);
+  a3=(a3*a1);
+  a3=(a3/a4);
+  a3=(a3/a4);
+  a1=arg[11]? arg[11][0] : 0;
+  a3=(a3*a1);
+  a2=(a2-a3);
+  if (res[0]!=0) res[0][0]=a2;
+  a2=arg[8]? arg[8][0] : 0;
+  a3=arg[2]? arg[2][0] : 0;
+  a0=(a3*a4);
+  a2=(a2/a0);
+  a5=arg[1]? arg[1][0] : 0;
+  a5=(a5/a0);
+  a5=(a5/a0);
+  a0=arg[9]? arg[9][0] : 0;
+  a4=(a4*a0);
+  a3=(a3*a1);
+  a4=(a4+a3);
+  a5=(a5*a4);
+  a2=(a2-a5);
+  if (res[1]!=0) res[1][0]=a2;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f13(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_normalised_data_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_normalised_data_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_normalised_data_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_normalised_data_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_normalised_data_n_in(void) { return 12;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_normalised_data_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_normalised_data_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_normalised_data_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "Fz";
+    case 3: return "C_c";
+    case 4: return "mu";
+    case 5: return "out_alpha_bar";
+    case 6: return "out_F_bar";
+    case 7: return "fwd_alpha";
+    case 8: return "fwd_F_y";
+    case 9: return "fwd_Fz";
+    case 10: return "fwd_C_c";
+    case 11: return "fwd_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_normalised_data_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_alpha_bar";
+    case 1: return "fwd_F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_normalised_data_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s1;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_normalised_data_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_normalised_data_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_normalised_data_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar)->(adj_alpha,adj_F_y,adj_Fz,adj_C_c,adj_mu) */
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[7]? arg[7][0] : 0;
+  a2=arg[4]? arg[4][0] : 0;
+  a3=(a1/a2);
+  a4=(a0*a3);
+  a5=arg[0]? arg[0][0] : 0;
+  a6=cos(a5);
+  a6=casadi_sq(a6);
+  a4=(a4/a6);
+  if (res[0]!=0) res[0][0]=a4;
+  a4=arg[8]? arg[8][0] : 0;
+  a6=arg[2]? arg[2][0] : 0;
+  a7=(a6*a2);
+  a8=(a4/a7);
+  if (res[1]!=0) res[1][0]=a8;
+  a8=arg[1]? arg[1][0] : 0;
+  a8=(a8/a7);
+  a8=(a8/a7);
+  a8=(a8*a4);
+  a4=(a2*a8);
+  a4=(-a4);
+  if (res[2]!=0) res[2][0]=a4;
+  a5=tan(a5);
+  a3=(a5*a3);
+  if (res[3]!=0) res[3][0]=a3;
+  a6=(a6*a8);
+  a0=(a0*a5);
+  a0=(a0/a2);
+  a0=(a0/a2);
+  a0=(a0*a1);
+  a6=(a6+a0);
+  a6=(-a6);
+  if (res[4]!=0) res[4][0]=a6;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f14(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_normalised_data_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_normalised_data_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_normalised_data_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_normalised_data_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_normalised_data_n_in(void) { return 9;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_normalised_data_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_normalised_data_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_normalised_data_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "Fz";
+    case 3: return "C_c";
+    case 4: return "mu";
+    case 5: return "out_alpha_bar";
+    case 6: return "out_F_bar";
+    case 7: return "adj_alpha_bar";
+    case 8: return "adj_F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_normalised_data_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_alpha";
+    case 1: return "adj_F_y";
+    case 2: return "adj_Fz";
+    case 3: return "adj_C_c";
+    case 4: return "adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_normalised_data_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s1;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_normalised_data_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_normalised_data_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 9;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_normalised_data_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_C_c[1x1,0nz],out_adj_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu,fwd_out_alpha_bar[1x1,0nz],fwd_out_F_bar[1x1,0nz],fwd_adj_alpha_bar,fwd_adj_F_bar)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_Fz,fwd_adj_C_c,fwd_adj_mu) */
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
+  a00=arg[7]? arg[7][0] : 0;
+  a01=arg[4]? arg[4][0] : 0;
+  a02=(a00/a01);
+  a03=arg[17]? arg[17][0] : 0;
+  a04=(a02*a03);
+  a05=arg[3]? arg[3][0] : 0;
+  a06=arg[21]? arg[21][0] : 0;
+  a07=(a06/a01);
+  a08=(a02/a01);
+  a09=arg[18]? arg[18][0] : 0;
+  a08=(a08*a09);
+  a07=(a07-a08);
+  a08=(a05*a07);
+  a04=(a04+a08);
+  a08=arg[0]? arg[0][0] : 0;
+  a10=cos(a08);
+  a11=casadi_sq(a10);
+  a04=(a04/a11);
+  a12=(a05*a02);
+  a12=(a12/a11);
+  a12=(a12/a11);
+  a10=(2.*a10);
+  a11=sin(a08);
+  a13=arg[14]? arg[14][0] : 0;
+  a11=(a11*a13);
+  a10=(a10*a11);
+  a12=(a12*a10);
+  a04=(a04+a12);
+  if (res[0]!=0) res[0][0]=a04;
+  a04=arg[22]? arg[22][0] : 0;
+  a12=arg[2]? arg[2][0] : 0;
+  a10=(a12*a01);
+  a11=(a04/a10);
+  a14=arg[8]? arg[8][0] : 0;
+  a15=(a14/a10);
+  a15=(a15/a10);
+  a16=arg[16]? arg[16][0] : 0;
+  a17=(a01*a16);
+  a18=(a12*a09);
+  a17=(a17+a18);
+  a15=(a15*a17);
+  a11=(a11-a15);
+  if (res[1]!=0) res[1][0]=a11;
+  a11=arg[1]? arg[1][0] : 0;
+  a11=(a11/a10);
+  a15=(a11/a10);
+  a18=(a15*a14);
+  a19=(a18*a09);
+  a20=arg[15]? arg[15][0] : 0;
+  a20=(a20/a10);
+  a11=(a11/a10);
+  a11=(a11*a17);
+  a20=(a20-a11);
+  a20=(a20/a10);
+  a10=(a15/a10);
+  a10=(a10*a17);
+  a20=(a20-a10);
+  a14=(a14*a20);
+  a15=(a15*a04);
+  a14=(a14+a15);
+  a15=(a01*a14);
+  a19=(a19+a15);
+  a19=(-a19);
+  if (res[2]!=0) res[2][0]=a19;
+  a19=cos(a08);
+  a19=casadi_sq(a19);
+  a13=(a13/a19);
+  a02=(a02*a13);
+  a08=tan(a08);
+  a07=(a08*a07);
+  a02=(a02+a07);
+  if (res[3]!=0) res[3][0]=a02;
+  a18=(a18*a16);
+  a12=(a12*a14);
+  a18=(a18+a12);
+  a03=(a08*a03);
+  a13=(a05*a13);
+  a03=(a03+a13);
+  a03=(a03/a01);
+  a05=(a05*a08);
+  a05=(a05/a01);
+  a08=(a05/a01);
+  a08=(a08*a09);
+  a03=(a03-a08);
+  a03=(a03/a01);
+  a05=(a05/a01);
+  a01=(a05/a01);
+  a01=(a01*a09);
+  a03=(a03-a01);
+  a00=(a00*a03);
+  a05=(a05*a06);
+  a00=(a00+a05);
+  a18=(a18+a00);
+  a18=(-a18);
+  if (res[4]!=0) res[4][0]=a18;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_normalised_data_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_normalised_data_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_normalised_data_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_normalised_data_n_in(void) { return 23;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_normalised_data_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_normalised_data_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_normalised_data_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "alpha";
+    case 1: return "F_y";
+    case 2: return "Fz";
+    case 3: return "C_c";
+    case 4: return "mu";
+    case 5: return "out_alpha_bar";
+    case 6: return "out_F_bar";
+    case 7: return "adj_alpha_bar";
+    case 8: return "adj_F_bar";
+    case 9: return "out_adj_alpha";
+    case 10: return "out_adj_F_y";
+    case 11: return "out_adj_Fz";
+    case 12: return "out_adj_C_c";
+    case 13: return "out_adj_mu";
+    case 14: return "fwd_alpha";
+    case 15: return "fwd_F_y";
+    case 16: return "fwd_Fz";
+    case 17: return "fwd_C_c";
+    case 18: return "fwd_mu";
+    case 19: return "fwd_out_alpha_bar";
+    case 20: return "fwd_out_F_bar";
+    case 21: return "fwd_adj_alpha_bar";
+    case 22: return "fwd_adj_F_bar";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_normalised_data_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_alpha";
+    case 1: return "fwd_adj_F_y";
+    case 2: return "fwd_adj_Fz";
+    case 3: return "fwd_adj_C_c";
+    case 4: return "fwd_adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_normalised_data_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s1;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s1;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s0;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s0;
+    case 18: return casadi_s0;
+    case 19: return casadi_s1;
+    case 20: return casadi_s1;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_normalised_data_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 23;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 23*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+
