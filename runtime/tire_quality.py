@@ -13,7 +13,7 @@ from .arrays import FloatArray, finite
 from .errors import GroundrollError, unknown
 from .evaluate import elementwise
 from .generated import build
-from .generated.names import QUANTITIES
+from .names import QUANTITIES
 from .tire_data import TireData
 
 #: Symbols of the load dependence (straight lines) and of the magic formula.

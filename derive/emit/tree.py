@@ -9,7 +9,10 @@ from .pack import pack_files, provenance
 
 HERE = Path(__file__).resolve().parent
 #: Support code that goes along as it stands.
-SHIPPED = ("__init__.py", "compiler.py", "integrators.py", "kernels.py", "library.py", "packs.py", "version.py")
+SHIPPED = tuple(
+    f"{name}.py"
+    for name in ("__init__", "compiler", "integrators", "kernels", "library", "packs", "version")
+)
 
 
 def files() -> dict[str, str]:
