@@ -91,6 +91,55 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
         )
 
 
+class Constant(sp.NumberSymbol):  # type: ignore[misc]
+    """A positive number with a unit: what a formula holds that nobody gives.
+
+    Parameters
+    ----------
+    value : float
+    unit : str
+        SI unit, e.g. ``"m"``.
+    """
+
+    __slots__ = ("unit", "value")
+
+    is_real = True
+    is_positive = True
+    is_irrational = None
+
+    value: float
+    unit: str
+
+    def __new__(cls, value: float, unit: str) -> Constant:
+        obj: Constant = sp.AtomicExpr.__new__(cls)
+        obj.value = float(value)
+        obj.unit = unit
+        return obj
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return (self.value, self.unit)
+
+    def __getnewargs__(self) -> tuple[float, str]:
+        return (self.value, self.unit)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Constant) and self._hashable_content() == other._hashable_content()
+
+    __hash__ = sp.AtomicExpr.__hash__
+
+    def _as_mpf_val(self, prec: int) -> Any:
+        return sp.Float(self.value)._as_mpf_val(prec)
+
+    def _sympystr(self, printer: Any) -> str:
+        return f"{self.value!r} {self.unit}"
+
+    def _latex(self, printer: Any) -> str:
+        return rf"{sp.latex(sp.Float(f'{self.value:g}'))}\,\mathrm{{{self.unit}}}"
+
+    def _casadi(self, printer: Any) -> str:
+        return repr(self.value)
+
+
 def State(symbol: str, name: str, unit: str, meaning: str, latex: str = "") -> Quantity:
     """A quantity that has a rate."""
     return Quantity(symbol, name, unit, meaning, latex, kind="state")

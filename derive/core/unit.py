@@ -11,6 +11,8 @@ from functools import cache
 
 import sympy as sp
 
+from .quantity import Constant
+
 BASE = {name: sp.Symbol(name, positive=True) for name in ("kg", "m", "s")}
 _DERIVED = {"N": BASE["kg"] * BASE["m"] / BASE["s"] ** 2, "rad": sp.Integer(1)}
 
@@ -45,9 +47,9 @@ def unit_of(expr: sp.Expr) -> sp.Expr:
     UnitError
         Naming the sum, function or exponent that does not fit.
     """
-    if expr.is_number:
+    if expr.is_number and not expr.has(Constant):
         return sp.Integer(1)
-    if expr.is_Symbol:
+    if expr.is_Symbol or isinstance(expr, Constant):
         return unit(expr.unit)
     if expr.is_Mul:
         return sp.Mul(*(unit_of(factor) for factor in expr.args))

@@ -40,18 +40,20 @@ def derivatives(
     V2 = velocity @ velocity
     along2 = u * u + w * w
     qS = density * V2 * d["S"] / 2
-    beta, alpha = np.arctan2(v, np.sqrt(along2)), np.arctan2(w, u)
+    beta, alpha = np.arctan2(v, np.sqrt(along2)), np.arctan2(w, abs(u))
     # a rate enters as q S b (b / 2 V) rate = rho V S b^2 / 4 rate, which is nothing at rest
     over_2V = 1 / (2 * np.sqrt(V2)) if V2 > 0 else 0.0
     p, q, r = rates * np.array([d["b"], d["cbar"], d["b"]]) * over_2V
     rudder, aileron, elevator = (controls[name] for name in ("rudder", "aileron", "elevator"))
     CL = stalled(d["CL"] + d["CLa"] * alpha, d.get("CLmax"))
     CD = d["CD"] + d.get("K", 0.0) * CL**2
+    along = max(np.sqrt(along2), 1e-9)
+    ahead, down = u / along, w / along
     force = qS * np.array(
         [
-            -CD * np.cos(alpha) + CL * np.sin(alpha),
+            -CD * ahead + CL * down,
             d["CYb"] * beta + d["CYdr"] * rudder + d.get("CYr", 0.0) * r,
-            -CD * np.sin(alpha) - CL * np.cos(alpha),
+            -CD * down - CL * ahead,
         ]
     )
     moment = qS * np.array(

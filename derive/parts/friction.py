@@ -1,0 +1,105 @@
+"""What a tire makes of a slip and a load: friction along and across, never beyond its limit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+
+from groundroll.derive.core.equation import Chain, Equation
+from groundroll.derive.core.quantity import Parameter, Quantity
+from groundroll.derive.core.rounded import clipped
+
+from . import quantities as given
+from .tires import C_c, F_bar, alpha_bar, magic_formula, mu
+
+v_rest = Parameter(
+    "v_rest",
+    "rest_speed",
+    "m/s",
+    "friction fades below this speed of a contact: near rest a wheel creeps instead of sticking",
+    r"v_{\mathrm{rest}}",
+    ">0",
+)
+#: A slip angle needs a speed of the contact; below this part of `v_rest` it fades to nothing.
+AT_REST = sp.Rational(1, 1000)
+#: Corners of the friction ellipse are rounded in this part of the friction coefficient.
+ROUNDING = sp.Rational(1, 10_000)
+
+V_x = Quantity("V_x", "contact_speed", "m/s", "of the contact, the way the wheel points", "V_x")
+V_y = Quantity("V_y", "contact_drift", "m/s", "of the contact, to the right of its wheel", "V_y")
+slip = Quantity("slip", "slip_tangent", "1", "tangent of the slip angle", r"\tan\alpha")
+alpha = Quantity("alpha", "slip", "rad", "slip angle, positive to the right", r"\alpha")
+alpha_free = Quantity("alpha_free", "normalised_slip", "1", "normalised slip, without a limit")
+V2_fade = Quantity("V2_fade", "fading_speed_squared", "m^2/s^2", "its square", "V_0^2")
+V_fade = Quantity("V_fade", "fading_speed", "m/s", "speed of the contact, never below `v_rest`")
+grip = Quantity("grip", "grip", "1", "side force over load that the slip would make", r"\mu_\alpha")
+mu_x = Quantity("mu_x", "braking", "1", "lengthwise force over load that the brake asks for")
+along = Quantity("along", "lengthwise_coefficient", "1", "lengthwise force over load, backward")
+left_over = Quantity(
+    "left_over", "left_over", "1", "side force over load that is left for the slip"
+)
+across = Quantity("across", "side_coefficient", "1", "side force over load, to the left")
+
+#: A curvature factor this little above 1 peaks beyond any slip.
+_NEVER = sp.Rational(1, 10**12)
+
+#: From a load to the equations for `mu` and, by the tangent of a slip angle, `grip`.
+Tire = Callable[[Quantity], Chain]
+
+_TIRE = (given.B3, given.C3, given.B5, given.C5, given.B1, given.C1, given.D1, given.E1)
+
+
+def radt(surface: Quantity, wheel: str = "", measure: Quantity = slip) -> Tire:
+    """The thesis's tire (Section 3.4), its parameters those of a wheel, on a surface.
+
+    The surface multiplies the friction coefficient: what a sliding tire makes, along and across,
+    and not its cornering stiffness, which is the tire's own. Slip is measured by the tangent of
+    its angle, as in the thesis, or by another quantity, such as the angle itself.
+
+    With a curvature factor above 1, as the thesis prints, the magic formula peaks, falls and in
+    the end pushes the way the tire slides. Here it stays where it peaks.
+    """
+    of_wheel = {q: q.of(wheel) for q in _TIRE}
+    peak = 1 / (given.B1 * sp.sqrt(sp.Max(given.E1 - 1, _NEVER)))
+
+    def tire(load: Quantity) -> Chain:
+        chain = (
+            Equation(C_c, given.B3 + given.C3 * load, "Eq. 3.3"),
+            Equation(mu, (given.B5 + given.C5 * load) * surface, "Eq. 3.5"),
+            Equation(alpha_free, C_c * measure / mu, "Eq. 3.6"),
+            Equation(alpha_bar, sp.Max(-peak, sp.Min(peak, alpha_free)), "held at the peak"),
+            *magic_formula(),
+            Equation(grip, F_bar * mu, "Eq. 3.11"),
+        )
+        return tuple(Equation(e.lhs, e.rhs.xreplace(of_wheel), e.source) for e in chain)
+
+    return tire
+
+
+def slipping() -> Chain:
+    """The slip angle of a contact, and the speed with which its friction fades near rest."""
+    speed = sp.sqrt(V_x**2 + (AT_REST * v_rest) ** 2)
+    return (
+        Equation(slip, V_y / speed, "Eq. 4.13, at any speed"),
+        Equation(alpha, sp.atan(slip), "Eq. 4.13"),
+        Equation(V2_fade, sp.sqrt((V_x**2 + V_y**2) ** 2 + v_rest**4), "near rest"),
+        Equation(V_fade, sp.sqrt(V2_fade), "near rest"),
+    )
+
+
+def ellipse(brake: sp.Expr, rolling: Quantity) -> Chain:
+    """Friction along and across a wheel: the brake first, the slip on the ellipse that is left.
+
+    The brake asks for a part of what lies between rolling resistance and friction, 0 to 1. No
+    wheel makes more than a locked one, whose friction opposes its velocity. So a locked wheel
+    slides without steering, and a wheel that rolls has what its slip makes, up to the limit.
+    """
+    width = ROUNDING * mu
+    total = sp.sqrt(V_x**2 + V_y**2 + (AT_REST * v_rest) ** 2)
+    return (
+        Equation(mu_x, rolling + brake * (mu - rolling), "brake"),
+        Equation(along, clipped(mu * V_x / V_fade, mu_x, width), "a locked wheel slides"),
+        Equation(left_over, sp.sqrt(mu**2 - along**2), "friction ellipse"),
+        Equation(across, clipped(grip * total / V_fade, left_over, width), "friction ellipse"),
+    )

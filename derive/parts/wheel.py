@@ -1,0 +1,122 @@
+"""A wheel on the runway: its leg, its heading, the slip of its tire and the friction it makes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import sympy as sp
+from sympy.physics.vector import Vector, cross
+
+from groundroll.derive.core.equation import Chain, Equation
+from groundroll.derive.core.frames import i, j
+from groundroll.derive.core.part import Event, Felt, Force, Law, Part
+from groundroll.derive.core.quantity import Quantity
+
+from .friction import Tire, V_x, V_y, across, along, alpha, ellipse, slipping
+from .leg import Leg, depth, stand
+
+F_x = Quantity("F_x", "wheel_drag", "N", "lengthwise force on the wheel, backward", "F_x")
+F_y = Quantity("F_y", "wheel_side_force", "N", "side force on the wheel, to the left", "F_y")
+slope = Quantity("slope", "heading_slope", "1", "how far the heading in the body points down")
+flat = Quantity("flat", "flat_part", "1", "part of the heading that lies in the runway's plane")
+
+LIFTED = Event("wheel_lifted", depth, False, "a wheel leaves the ground")
+
+
+@dataclass(frozen=True)
+class Turned:
+    """How a wheel is turned about its leg.
+
+    Attributes
+    ----------
+    angle : Expr
+        From the body's x axis to the wheel's heading, clockwise seen from above, rad.
+    leftward : Expr
+        Velocity of the contact to the left of its wheel because the wheel swivels, m/s.
+    holds : Expr
+        Part of the side force that the wheel holds: none if it turns away.
+    chain : tuple of Equation
+    rates : mapping
+        Rates of the angle and of its rate, where it is free, by the side force `F_y`.
+    """
+
+    angle: sp.Expr = sp.S.Zero
+    leftward: sp.Expr = sp.S.Zero
+    holds: sp.Expr = sp.S.One
+    chain: Chain = ()
+    rates: dict[Quantity, sp.Expr] = field(default_factory=dict)
+
+
+def wheel(
+    name: str,
+    at: Vector,
+    leg: Leg,
+    tire: Tire,
+    rolling: Quantity,
+    brake: sp.Expr = sp.S.Zero,
+    turned: Turned | None = None,
+    asks: tuple[Quantity, ...] = (),
+) -> Part:
+    """A wheel that stands on the runway.
+
+    Parameters
+    ----------
+    name : str
+    at : Vector
+        Its contact with the leg unloaded, from the CG.
+    leg : Leg
+        What carries the body, where it stands on legs.
+    tire : callable
+        From the load to the side force over load.
+    rolling : Quantity
+        Rolling resistance over load.
+    brake : Expr
+        0 (rolls) to 1 (locked).
+    turned : Turned, optional
+        Its heading; that of the body if omitted.
+    asks : tuple of Quantity
+        The inputs among all this.
+    """
+    return Part(name, at, _law(leg, tire, rolling, brake, turned or Turned()), asks, kind="wheel")
+
+
+def _law(leg: Leg, tire: Tire, rolling: Quantity, brake: sp.Expr, turned: Turned) -> Law:
+    def law(felt: Felt) -> Force:
+        foot = stand(felt, leg)
+        heading, right, directions = _heading(felt, turned.angle)
+        chain = (
+            *foot.chain,
+            *turned.chain,
+            *directions,
+            Equation(V_x, foot.velocity.dot(heading), "Eq. 4.10 at the contact"),
+            Equation(V_y, foot.velocity.dot(right) - turned.leftward, "Eq. 4.10 at the contact"),
+            *slipping(),
+            *tire(felt.load),
+            *ellipse(brake, rolling),
+            Equation(F_x, along * felt.load, "friction"),
+            Equation(F_y, turned.holds * across * felt.load, "friction"),
+        )
+        load = felt.load * felt.down if foot.chain else Vector(0)
+        return Force(
+            vector=-F_x * heading - F_y * right - load,
+            chain=chain,
+            rates=turned.rates,
+            shown=(felt.load, alpha, F_x, F_y),
+            at=foot.at,
+            events=(LIFTED,) if foot.chain else (),
+        )
+
+    return law
+
+
+def _heading(felt: Felt, angle: sp.Expr) -> tuple[Vector, Vector, Chain]:
+    """Unit vectors along the wheel and to its right in the plane of the runway."""
+    pointing = sp.cos(angle) * i + sp.sin(angle) * j
+    if felt.depth is None:
+        return pointing, cross(felt.down, pointing), ()
+    chain = (
+        Equation(slope, pointing.dot(felt.down), "direction cosine"),
+        Equation(flat, sp.sqrt(1 - slope**2), "projection on the runway"),
+    )
+    heading = (pointing - slope * felt.down) / flat
+    return heading, cross(felt.down, pointing) / flat, chain
