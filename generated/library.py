@@ -32,9 +32,7 @@ class StaleError(RuntimeError):
     """C code and Python code come from different equations."""
 
 
-def compiled(
-    source: Path, digest: str, flags: tuple[str, ...] = FLAGS, *, symbol: str
-) -> Path:
+def compiled(source: Path, digest: str, flags: tuple[str, ...] = FLAGS, *, symbol: str) -> Path:
     """Path of the shared library of a C file, compiled now if it is not in the cache.
 
     The name of the library holds a hash of source, flags, compiler, processor and C library, so a
