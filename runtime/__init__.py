@@ -2,8 +2,8 @@
 
 >>> import groundroll as gr
 >>> plane = gr.Aircraft.load("brott")
->>> run = gr.simulate(plane, tire="nonlinear", v0=0.1, t=5.0)
->>> lin = gr.linearize(plane, tire="linear")
+>>> run = gr.simulate(plane, model="nonlinear", v0=0.1, t=5.0)
+>>> lin = gr.linearize(plane, model="linear")
 
 SI units and radians throughout; SAE body axes: x forward, y right, z down.
 """

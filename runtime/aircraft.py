@@ -18,7 +18,8 @@ from .errors import GroundrollError
 from .evaluate import elementwise
 from .generated import build
 from .listing import Listed
-from .names import FUNCTIONS, MODELS, QUANTITIES, signature, symbol
+from .models import ModelLike, as_model
+from .names import FUNCTIONS, MODELS, QUANTITIES, symbol
 
 #: What nothing follows from, but limits of the CG and of the gear are set by.
 _APART = ("x_forward", "x_aft", "h_cg", "u_lift")
@@ -228,12 +229,12 @@ class Aircraft(Listed):
         key = symbol(name, "parameter", parameter_symbols(), f"aircraft {self.name}")
         return tuple(dict.fromkeys(s for way, _ in self._found(key) for s in build(way).name_in()))
 
-    def parameters(self, tire: str, speed: Any = None) -> FloatArray:
+    def parameters(self, model: ModelLike, speed: Any = None) -> FloatArray:
         """The parameter vector of a model.
 
         Parameters
         ----------
-        tire : str
+        model : str or Model
             ``"linear"`` or ``"nonlinear"``.
         speed : float or array, optional
             Forward speed, m/s; the aircraft's own if omitted.
@@ -241,21 +242,21 @@ class Aircraft(Listed):
         Returns
         -------
         ndarray, shape (n, ...)
-            In the order of ``generated.MODELS[tire].parameters``; the rest of the shape is what
+            In the order of ``generated.PACKS[model].parameters``; the rest of the shape is what
             the parameters broadcast to, nothing if none is an array.
         """
         plane = self if speed is None else self.replace(u=speed)
-        arrays, _ = broadcast({s: plane[s] for s in signature(tire).parameters})
+        arrays, _ = broadcast({s: plane[s] for s in as_model(model).parameters})
         return np.stack(list(arrays.values()))
 
     def columns(
-        self, tire: str, **others: FloatArray
+        self, model: ModelLike, **others: FloatArray
     ) -> tuple[FloatArray, dict[str, FloatArray], tuple[int, ...]]:
         """Parameters and other arrays, broadcast together and laid out one column per case.
 
         Parameters
         ----------
-        tire : str
+        model : str or Model
             ``"linear"`` or ``"nonlinear"``.
         **others : ndarray
             Whatever goes with the parameters, by name.
@@ -268,7 +269,7 @@ class Aircraft(Listed):
         shape : tuple of int
             What they broadcast to; its product is N.
         """
-        names = signature(tire).parameters
+        names = as_model(model).parameters
         arrays, shape = broadcast({**{s: self[s] for s in names}, **others})
         if 0 in shape:
             raise GroundrollError(f"nothing is given: the arrays broadcast to {shape}")

@@ -11,7 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import GroundrollError
-from .names import MODELS, QUANTITIES
+from .models import ModelLike, as_model
+from .names import QUANTITIES
 from .units import UnitError, expected, to_si
 
 FloatArray = npt.NDArray[np.float64]
@@ -75,9 +76,9 @@ def whole(name: str, value: Any, least: int) -> int:
     return int(number)
 
 
-def as_inputs(tire: str, force: FloatArray) -> FloatArray:
+def as_inputs(model: ModelLike, force: FloatArray) -> FloatArray:
     """Inputs of a model under a disturbance, shape (inputs, *shape): its first; others are zero."""
-    inputs = np.zeros((len(MODELS[tire].inputs), *force.shape))
+    inputs = np.zeros((len(as_model(model).inputs), *force.shape))
     inputs[0] = force
     return inputs
 

@@ -17,6 +17,7 @@ from .consistency import as_written, contradictions, following, in_words, words
 from .errors import GroundrollError
 from .evaluate import elementwise
 from .generated import build
+from .models import ModelLike, as_model
 from .names import MODELS, QUANTITIES, symbol
 from .stability import speed_window
 from .units import from_si, parts, to_si
@@ -88,7 +89,7 @@ class Check:
     def __repr__(self) -> str:
         lines = [f"Check of {self.aircraft.name!r}: {len(self.known)} quantities known"]
         for title, texts in (
-            *((f"missing for the {tire} tire", texts) for tire, texts in self.missing.items()),
+            *((f"missing for the {model} model", texts) for model, texts in self.missing.items()),
             ("warnings", self.warnings),
             ("notes", self.notes),
         ):
@@ -114,7 +115,7 @@ def check(plane: Aircraft) -> Check:
     return Check(
         aircraft=plane,
         known=known,
-        missing={tire: tuple(_missing(plane, tire)) for tire in MODELS},
+        missing={model: tuple(_missing(plane, model)) for model in MODELS},
         warnings=(*map(str, contradictions(plane)), *_unusual(plane, known)),
         notes=(*_table_wanted(plane), *_bare(plane), *_overrides(plane), *_stability(plane)),
     )
@@ -152,8 +153,8 @@ def _gear(plane: Aircraft) -> str:
     return "taildragger" if (plane["a"] > 0).all() else "tricycle"
 
 
-def _missing(plane: Aircraft, tire: str) -> Iterator[str]:
-    for s in MODELS[tire].parameters:
+def _missing(plane: Aircraft, model: ModelLike) -> Iterator[str]:
+    for s in as_model(model).parameters:
         try:
             plane[s]
         except NotGivenError:

@@ -17,7 +17,8 @@ from .ensemble_result import Ensemble, Named
 from .errors import GroundrollError, unknown
 from .generated.kernels import Outcome, Task
 from .generated.packs import Kernel
-from .names import QUANTITIES, signature, symbol
+from .models import ModelLike, as_model
+from .names import QUANTITIES, symbol
 
 #: Finest and coarsest `tol`.
 TOLERANCES = (1e-11, 1e-3)
@@ -30,7 +31,7 @@ class Plan:
     """Everything about an ensemble but its chunks."""
 
     aircraft: Aircraft
-    tire: str
+    model: ModelLike
     shape: tuple[int, ...]
     start: dict[str, FloatArray]
     inputs: dict[str, FloatArray]
@@ -46,12 +47,12 @@ class Plan:
     @property
     def kernel(self) -> Kernel:
         """The kernel that carries no more than is needed."""
-        return smallest_kernel(self.tire, (*self.names, *self.watched))
+        return smallest_kernel(self.model, (*self.names, *self.watched))
 
     @property
     def final(self) -> tuple[str, ...]:
         """The names that are states."""
-        return tuple(s for s in self.names if s in signature(self.tire).states)
+        return tuple(s for s in self.names if s in as_model(self.model).states)
 
     @property
     def sampled(self) -> tuple[str, ...]:
@@ -72,7 +73,7 @@ class Plan:
     def task(self, chunk: range) -> Task:
         """The trajectories of a chunk."""
         cut_out = partial(piece, shape=self.shape, chunk=chunk)
-        names = signature(self.tire)
+        names = as_model(self.model)
         p = [cut_out(self.inputs[s]) for s in names.inputs]
         if len(chunk) == math.prod(self.shape):
             p += [cut_out(self.aircraft[s]) for s in names.parameters]
@@ -117,7 +118,7 @@ class Plan:
 
         return Ensemble(
             aircraft=self.aircraft,
-            tire=self.tire,
+            model=self.model,
             start=self.start,
             inputs=self.inputs,
             t=self.t,
@@ -138,16 +139,16 @@ class Plan:
 def plan(
     plane: Aircraft,
     t: Any,
-    tire: str,
+    model: ModelLike,
     at: Any,
     names: Iterable[str] | None,
     tol: Any,
     chunk: int,
     values: Mapping[str, Any],
 ) -> Plan:
-    model = signature(tire)
+    model = as_model(model)
     duration = positive("t", t, "s")
-    start, inputs, parameters = _sorted(tire, values)
+    start, inputs, parameters = _sorted(model, values)
     aircraft = plane.replace(**parameters)
     x0 = {s: finite(f"{s}0", start.get(s, 0.0), QUANTITIES[s].unit) for s in model.states}
     u = {
@@ -160,13 +161,13 @@ def plan(
     times = _times(at, duration)
     if names is None:
         path = {"X", "Y"} & start.keys()
-        wanted = model.states if path else signature(tire).kernels["body"].states
+        wanted = model.states if path else model.kernels["body"].states
     else:
         allowed = (*model.states, *model.outputs) if times.size else model.states
         wanted = tuple(symbol(n, "name", allowed, "names") for n in listed("names", names))
     made = Plan(
         aircraft=aircraft,
-        tire=tire,
+        model=model.key,
         shape=shape,
         start=x0,
         inputs=u,
@@ -186,7 +187,7 @@ def watching(
     within: Mapping[str, float | str],
 ) -> Plan:
     """The plan with extremes, limits and ranges."""
-    model = signature(plan.tire)
+    model = as_model(plan.model)
     allowed = (*model.states, *model.outputs)
 
     def bounds(kind: str, given: Mapping[str, float | str]) -> dict[str, float]:
@@ -205,10 +206,10 @@ def watching(
 
 
 def _sorted(
-    tire: str, values: Mapping[str, Any]
+    model: ModelLike, values: Mapping[str, Any]
 ) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
     """Initial states and inputs by symbol, and parameters as they were named."""
-    model = signature(tire)
+    model = as_model(model)
     start, inputs, parameters = {}, {}, {}
     begins = {f"{s}0": s for s in model.states}
     input_names = {name: s for s in model.inputs for name in (s, QUANTITIES[s].name)}
@@ -239,9 +240,9 @@ def listed(what: str, names: Iterable[str]) -> list[str]:
     return list(names)
 
 
-def smallest_kernel(tire: str, names: Iterable[str]) -> Kernel:
+def smallest_kernel(model: ModelLike, names: Iterable[str]) -> Kernel:
     """The kernel of a model that carries these states and outputs, and little else."""
-    able = [k for k in signature(tire).kernels.values() if set(names) <= set(k.rows)]
+    able = [k for k in as_model(model).kernels.values() if set(names) <= set(k.rows)]
     return min(able, key=lambda k: len(k.states))
 
 

@@ -13,7 +13,8 @@ from .aircraft import Aircraft
 from .arrays import FloatArray
 from .generated.kernels import STATUS
 from .listing import Listed, span, unit_of
-from .names import QUANTITIES, signature, symbol
+from .models import ModelLike, as_model
+from .names import QUANTITIES, symbol
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
 
@@ -24,7 +25,7 @@ _NAMED = {
     "largest": "extremes",
     "first": "limits",
 }
-_ABOUT = ("tire", "t", "tol", "limits", "within")
+_ABOUT = ("model", "t", "tol", "limits", "within")
 
 
 class Named(Mapping[str, FloatArray]):
@@ -58,7 +59,7 @@ class Ensemble(Listed, Result):
     ----------
     aircraft : Aircraft
         What rolled, its parameters arrays where they vary.
-    tire : str
+    model : str or Model
         Which model.
     start, inputs : mapping of str to ndarray
         Initial states and constant inputs by symbol.
@@ -85,7 +86,7 @@ class Ensemble(Listed, Result):
     """
 
     aircraft: Aircraft
-    tire: str
+    model: ModelLike
     start: Mapping[str, FloatArray]
     inputs: Mapping[str, FloatArray]
     t: float
@@ -149,7 +150,7 @@ class Ensemble(Listed, Result):
                 kind, s = ("samples" if "t" in column.dims else "final"), name
             found[kind][s] = column.values
         named: dict[str, Any] = {s: Named(found[s], words) for s, words in _NAMED.items()}
-        inputs = signature(record.about["tire"]).inputs
+        inputs = as_model(record.about["model"]).inputs
         return cls(
             aircraft=record.aircraft,
             start={s[:-1]: v for s, v in record.given.items() if s not in inputs},
@@ -166,7 +167,7 @@ class Ensemble(Listed, Result):
         counts = ", ".join(f"{n} {name}" for name, n in self.counts.items())
         shape = " x ".join(map(str, self.status.shape)) or "1"
         return (
-            f"Ensemble of {self.aircraft.name!r}, {self.tire} tire: {shape} trajectories of"
+            f"Ensemble of {self.aircraft.name!r}, {self.model} model: {shape} trajectories of"
             f" {self.t:g} s, tol {self.tol:g}: {counts}"
         )
 

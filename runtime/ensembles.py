@@ -14,6 +14,7 @@ from .ensemble_plan import plan, watching
 from .ensemble_result import Ensemble
 from .generated import kernels
 from .generated.kernels import Outcome, Task
+from .models import ModelLike
 from .progress import Progress, counted
 from .vm_ensemble import integrate_in_vm
 
@@ -21,7 +22,7 @@ from .vm_ensemble import integrate_in_vm
 def ensemble(
     plane: Aircraft,
     t: float | str = 5.0,
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     *,
     at: Any = None,
     names: Iterable[str] | None = None,
@@ -47,7 +48,7 @@ def ensemble(
         The aircraft; its parameters may be arrays.
     t : float
         Duration, s.
-    tire : str
+    model : str or Model
         ``"linear"`` or ``"nonlinear"``.
     at : sequence of float, optional
         Increasing times, s, from 0 to `t` at which to sample; only final states if omitted.
@@ -92,7 +93,7 @@ def ensemble(
         For unknown names, values that cannot be, shapes that do not broadcast, or more memory
         than there is, before any work starts.
     """
-    asked = plan(plane, t, tire, at, names, tol, chunk, values)
+    asked = plan(plane, t, model, at, names, tol, chunk, values)
     asked = watching(asked, extremes, limits or {}, within or {})
     count = thread_count(threads if executor is None or threads is not None else 1)
     total = math.prod(asked.shape)

@@ -22,13 +22,15 @@ _BLOCK = 256
 _MANY = 20_000
 
 
-def elementwise(name: str, arguments: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
+def elementwise(
+    name: str | ca.Function, arguments: Mapping[str, FloatArray]
+) -> dict[str, FloatArray]:
     """Apply a generated function of named scalars element by element.
 
     Parameters
     ----------
-    name : str
-        Name of the function, e.g. ``"modes"``.
+    name : str or casadi.Function
+        The function, or its name, e.g. ``"modes"``.
     arguments : mapping
         Arrays by argument name, broadcast against each other; others are ignored.
 
@@ -37,9 +39,9 @@ def elementwise(name: str, arguments: Mapping[str, FloatArray]) -> dict[str, Flo
     dict
         Results by name, each in the common shape.
     """
-    function = generated.load(name)
+    function = generated.load(name) if isinstance(name, str) else name
     arrays, shape = broadcast({key: arguments[key] for key in function.name_in()})
-    if math.prod(shape) >= _MANY and kernels.can_sweep(generated.pack_of(name), name):
+    if isinstance(name, str) and math.prod(shape) >= _MANY and _can_sweep(name):
         found = {key: np.empty(shape) for key in function.name_out()}
         sweep_into(name, arguments, shape, found)
         return found
@@ -67,7 +69,7 @@ def sweep_into(
         Does not change a bit of the result.
     """
     given, made = names_of(name)
-    if not kernels.can_sweep(generated.pack_of(name), name):
+    if not _can_sweep(name):
         found = _one_by_one(generated.build(name), {k: arguments[k] for k in given}, shape)
         for key, result in results.items():
             result[...] = found[key]
@@ -81,6 +83,10 @@ def sweep_into(
         [results.get(key) for key in made],
         threads,
     )
+
+
+def _can_sweep(name: str) -> bool:
+    return kernels.can_sweep(generated.pack_of(name), name)
 
 
 @cache

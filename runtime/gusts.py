@@ -25,7 +25,7 @@ from .chunks import check_memory
 from .errors import GroundrollError
 from .evaluate import columns
 from .gust_forces import OneMinusCosine, Samples, Step, Sum, Until
-from .names import signature
+from .models import ModelLike, as_model
 
 #: Bytes for each millisecond in which a jump is looked for.
 _CHECKED = 8 * 5 * 3
@@ -97,9 +97,9 @@ class Gust:
     def _parts(self) -> tuple[Callable[[FloatArray], Any], ...]:
         return self.force.parts if isinstance(self.force, Sum) else (self,)
 
-    def on_runs(self, tire: str, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
+    def on_runs(self, model: ModelLike, shape: tuple[int, ...], t: FloatArray) -> FloatArray:
         """Inputs of a model on runs of some shape, shape (inputs, runs, times)."""
-        return as_inputs(tire, np.broadcast_to(self(t), (*shape, t.size)).reshape(-1, t.size))
+        return as_inputs(model, np.broadcast_to(self(t), (*shape, t.size)).reshape(-1, t.size))
 
     def refuse_jumps(self, end: float) -> None:
         """Raise an error if the force or a derivative jumps before `end`, s, beside `breaks`.
@@ -261,7 +261,7 @@ def crosswind(plane: Aircraft, wind: Any) -> FloatArray:
     ndarray
         Side force, N, to the right: what the vertical tail makes of this velocity.
     """
-    names = signature("linear")
+    names = as_model("linear")
     p, flat, shape = plane.columns("linear", wind=finite("wind", wind, "m/s"))
     x = np.zeros((len(names.states), p.shape[1]))
     x[names.states.index("v")] = flat["wind"]

@@ -11,11 +11,10 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from . import generated
 from .arrays import FloatArray, finite
 from .chunks import check_memory
 from .errors import GroundrollError, unknown
-from .names import signature
+from .models import ModelLike, as_model
 
 METHODS = ("rk45", "rk4")
 
@@ -40,7 +39,7 @@ _MEANS = 0.5 + np.array([[1.0, -1.0], [-1.0, 1.0]]) / math.sqrt(3.0)
 
 
 def integrator(
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     method: str = "rk45",
     t: Sequence[float] | FloatArray | float = 5.0,
     *,
@@ -55,7 +54,7 @@ def integrator(
 
     Parameters
     ----------
-    tire : str
+    model : str or Model
         ``"linear"`` or ``"nonlinear"``.
     method : str
         ``"rk45"``: adaptive steps with an error below about 1e-9 of each state's scale;
@@ -72,46 +71,46 @@ def integrator(
     -------
     casadi.Function
         x0 : (7, 1) initial state; u : (1, 1) or (1, N) inputs; p : (n, 1) parameters, in the
-        order of ``generated.MODELS[tire]``; xf : (7, N) states at the times `t`. CasADi's own
+        order of ``generated.PACKS[model]``; xf : (7, N) states at the times `t`. CasADi's own
         rules hold for its arguments: a scalar stands for every element, and what is left out is
         zero. `simulate` is the checked way in.
 
     Raises
     ------
     GroundrollError
-        For an unknown tire or method, or times that do not increase from above zero.
+        For an unknown model or method, or times that do not increase from above zero.
     """
-    signature(tire)
+    as_model(model)
     if method not in METHODS:
         raise unknown("method", method, METHODS)
     longest = _LONGEST[method] if step is None else float(finite("step", step, "s"))
     if longest <= 0:
         raise GroundrollError(f"step must be positive, not {longest}")
-    return _integrator(tire, method, tuple(_grid(t).tolist()), longest, bool(piecewise))
+    return _integrator(model, method, tuple(_grid(t).tolist()), longest, bool(piecewise))
 
 
 @lru_cache(maxsize=32)
 def _integrator(
-    tire: str, method: str, times: tuple[float, ...], longest: float, piecewise: bool
+    model: ModelLike, method: str, times: tuple[float, ...], longest: float, piecewise: bool
 ) -> ca.Function:
-    names = signature(tire)
+    names = as_model(model)
     intervals = np.diff(times, prepend=0.0)
     pieces = [max(1, math.ceil(h / longest - 1e-9)) for h in intervals]
     _check_room(sum(pieces))
     lengths = np.repeat(intervals / pieces, pieces)
 
-    advance = generated.load(f"{tire}_{method}")
+    advance = as_model(model).function(method)
     x0 = ca.MX.sym("x0", len(names.states))
     u = ca.MX.sym("u", len(names.inputs), len(times) if piecewise else 1)
     p = ca.MX.sym("p", len(names.parameters))
     count = len(lengths)
     inputs = u[:, _repeat(pieces)] if piecewise else ca.repmat(u, 1, count)
-    states = advance.mapaccum(f"{tire}_{method}_path", count)(
+    states = advance.mapaccum(f"{model}_{method}_path", count)(
         x0, inputs, ca.repmat(p, 1, count), ca.DM(lengths).T
     )
     ends = (np.cumsum(pieces) - 1).tolist()
     return ca.Function(
-        f"{tire}_{method}_integrator",
+        f"{model}_{method}_integrator",
         [x0, u, p],
         [states[:, ends]],
         ["x0", "u", "p"],
@@ -120,13 +119,13 @@ def _integrator(
 
 
 def integrate(
-    tire: str, method: str, t: FloatArray, x0: FloatArray, u: FloatArray, p: FloatArray
+    model: ModelLike, method: str, t: FloatArray, x0: FloatArray, u: FloatArray, p: FloatArray
 ) -> FloatArray:
     """States of several runs, each under a constant input.
 
     Parameters
     ----------
-    tire, method : str
+    model, method : str
         As for `integrator`.
     t : ndarray, shape (N,)
         Output times, s, positive and increasing.
@@ -142,13 +141,13 @@ def integrate(
     GroundrollError
         If a run leaves the numbers; the message says which.
     """
-    F = integrator(tire, method, t)
+    F = integrator(model, method, t)
     runs = range(x0.shape[1])
     return np.stack([_advance(F, x0[:, k], u[:, k], p[:, k], k, len(runs)) for k in runs])
 
 
 def integrate_varying(
-    tire: str,
+    model: ModelLike,
     method: str,
     t: FloatArray,
     x0: FloatArray,
@@ -168,7 +167,7 @@ def integrate_varying(
 
     Parameters
     ----------
-    tire, method, t, x0, p
+    model, method, t, x0, p
         As for `integrate`.
     u : callable
         From times, s, shape (k,), to inputs, shape (inputs, runs, k).
@@ -189,7 +188,7 @@ def integrate_varying(
     def states(longest: float, halvings: int, which: Sequence[int]) -> FloatArray:
         edges = _edges(t, breaks, longest, 2**halvings)
         ends = np.stack([(edges[:-1] + edges[1:]) / 2, edges[1:]], axis=1).ravel()
-        F = integrator(tire, method, ends, piecewise=True)
+        F = integrator(model, method, ends, piecewise=True)
         held, outputs = _held(u, edges), np.searchsorted(ends, t)
         paths = [_advance(F, x0[:, k], held[:, k], p[:, k], k, runs) for k in which]
         return np.stack(paths)[:, :, outputs]

@@ -14,7 +14,7 @@ from .arrays import FloatArray, as_inputs, finite
 from .errors import GroundrollError
 from .evaluate import columns, elementwise
 from .listing import Listed, span, unit_of
-from .names import signature
+from .models import ModelLike, as_model
 from .records import Column, Record, measured, run_dims
 from .results import Result
 
@@ -98,7 +98,7 @@ class Linearization(Listed, Result):
     damped_frequency: FloatArray
     at: OperatingPoint
     aircraft: Aircraft
-    tire: str
+    model: ModelLike
     states: tuple[str, ...]
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
@@ -115,7 +115,7 @@ class Linearization(Listed, Result):
             at = OperatingPoint(pick(self.at.v), pick(self.at.r), pick(self.at.disturbance))
         except IndexError as problem:
             raise GroundrollError(f"there is no [{index}] among points {shape}") from problem
-        return linearize(self.aircraft.replace(**given), self.tire, at)
+        return linearize(self.aircraft.replace(**given), self.model, at)
 
     def sensitivities(self) -> Sensitivities:
         """Exact derivatives of A and of the eigenvalues by each parameter of the model.
@@ -169,7 +169,7 @@ class Linearization(Listed, Result):
         results |= {axis: Column((axis,), np.array(names)) for axis, names in labels.items()}
         given = {"v": self.at.v, "r": self.at.r, "F_disturbance": self.at.disturbance}
         given = {s: np.asarray(value, np.float64) for s, value in given.items()}
-        about = {"tire": self.tire}
+        about = {"model": self.model}
         return Record("linearization", self.aircraft, runs, results, given=given, about=about)
 
     @classmethod
@@ -178,11 +178,11 @@ class Linearization(Listed, Result):
         parts: dict[str, Any] = {name: record[name] for name in (*_AXES, *READ_OFF)}
         for axis in ("state", "input", "output"):
             parts[f"{axis}s"] = tuple(record[axis].tolist())
-        tire = record.about["tire"]
-        return cls(**parts, at=OperatingPoint(*at), aircraft=record.aircraft, tire=tire)
+        model = record.about["model"]
+        return cls(**parts, at=OperatingPoint(*at), aircraft=record.aircraft, model=model)
 
     def _title(self) -> str:
-        head = f"Linearization of {self.aircraft.name!r}, {self.tire} tire, at {self.at}"
+        head = f"Linearization of {self.aircraft.name!r}, {self.model} model, at {self.at}"
         if self.decay_rate.ndim:
             stable = np.count_nonzero(self.decay_rate > 0)
             return f"{head}: {self.decay_rate.shape} points, {stable} of them stable"
@@ -197,7 +197,7 @@ class Linearization(Listed, Result):
 
 def linearize(
     plane: Aircraft,
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     at: OperatingPoint | None = None,
     *,
     speed: Any = None,
@@ -209,7 +209,7 @@ def linearize(
     ----------
     plane : Aircraft
         The aircraft; its parameters may be arrays.
-    tire : str
+    model : str or Model
         ``"linear"`` or ``"nonlinear"``.
     at : OperatingPoint, optional
         Where; straight running if omitted. It need not be an equilibrium.
@@ -227,11 +227,11 @@ def linearize(
     if disturbance is not None:
         point = OperatingPoint(point.v, point.r, disturbance)
     point = point.in_si()
-    names = signature(tire)
+    names = as_model(model)
     aircraft = plane if speed is None else plane.replace(u=speed)
-    x, u, p, shape = columns_at(aircraft, tire, point)
-    fx, fu, _, gx, gu, _ = columns(f"{tire}_jacobians", x, u, p)
-    (rates,) = columns(f"{tire}_rhs", x, u, p)
+    x, u, p, shape = columns_at(aircraft, model, point)
+    fx, fu, _, gx, gu, _ = columns(as_model(model).function("jacobians"), x, u, p)
+    (rates,) = columns(as_model(model).function("rhs"), x, u, p)
     dynamic = [names.states.index(s) for s in names.dynamic]
 
     def shaped(values: FloatArray) -> FloatArray:
@@ -255,7 +255,7 @@ def linearize(
         damped_frequency=modes["damped_frequency"],
         at=point,
         aircraft=aircraft,
-        tire=tire,
+        model=names.key,
         states=names.dynamic,
         inputs=names.inputs,
         outputs=names.outputs,
@@ -263,18 +263,18 @@ def linearize(
 
 
 def columns_at(
-    aircraft: Aircraft, tire: str, at: OperatingPoint
+    aircraft: Aircraft, model: ModelLike, at: OperatingPoint
 ) -> tuple[FloatArray, FloatArray, FloatArray, tuple[int, ...]]:
     """States, inputs and parameters at operating points, one column per point, and their shape."""
     p, flat, shape = aircraft.columns(
-        tire,
+        model,
         v=finite("at.v", at.v, "m/s"),
         r=finite("at.r", at.r, "rad/s"),
         disturbance=finite("disturbance", at.disturbance, "N"),
     )
     zero = np.zeros(p.shape[1])
-    x = np.stack([flat.get(s, zero) for s in signature(tire).states])
-    return x, as_inputs(tire, flat["disturbance"]), p, shape
+    x = np.stack([flat.get(s, zero) for s in as_model(model).states])
+    return x, as_inputs(model, flat["disturbance"]), p, shape
 
 
 def modes_of(A: FloatArray) -> dict[str, FloatArray]:

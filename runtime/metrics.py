@@ -12,7 +12,8 @@ import numpy as np
 from .arrays import FloatArray
 from .curve import Curve
 from .listing import Listed, span
-from .names import QUANTITIES, signature, symbol
+from .models import as_model
+from .names import QUANTITIES, symbol
 from .settling import responses
 
 if TYPE_CHECKING:
@@ -121,7 +122,7 @@ def metrics(run: Trajectory, of: str | Sequence[str] = "y") -> Metrics:
     GroundrollError
         If there is no such state, or it is not known when the gust of the run ends.
     """
-    states, shape = signature(run.tire).states, run["v"].shape[:-1]
+    states, shape = as_model(run.model).states, run["v"].shape[:-1]
     names = [of] if isinstance(of, str) else list(of)
     wanted = tuple(symbol(name, "state", states, "metrics") for name in names)
     found = responses(run)

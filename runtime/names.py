@@ -37,8 +37,8 @@ def symbol(name: str, kind: str, allowed: Collection[str], where: str = "") -> s
     raise unknown(kind, name, dict.fromkeys(choices), where)
 
 
-def signature(tire: str) -> Pack:
-    """The signature of the model with a tire, ``"linear"`` or ``"nonlinear"``."""
-    if tire not in MODELS:
-        raise unknown("tire", tire, MODELS)
-    return MODELS[tire]
+def signature(model: str) -> Pack:
+    """The pack of a model that ships, ``"linear"`` or ``"nonlinear"``."""
+    if model not in MODELS:
+        raise unknown("model", model, MODELS)
+    return MODELS[model]

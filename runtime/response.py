@@ -14,6 +14,7 @@ from .arrays import FloatArray, finite, positive, whole
 from .errors import GroundrollError
 from .linearization import ComplexArray, Linearization, OperatingPoint, linearize
 from .listing import Pictured, span, unit_of
+from .models import ModelLike
 from .names import QUANTITIES, symbol
 from .wording import number
 
@@ -300,7 +301,7 @@ def root_locus(
     plane: Aircraft,
     parameter: str,
     values: Any,
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     at: OperatingPoint | None = None,
     *,
     speed: Any = None,
@@ -318,7 +319,7 @@ def root_locus(
         Its values in SI units with radians, increasing or decreasing. Modes are followed by
         continuing the line through their last two points, so steps must be fine enough for
         that.
-    tire, at, speed, disturbance
+    model, at, speed, disturbance
         As for `linearize`; scalars.
 
     Returns
@@ -332,7 +333,7 @@ def root_locus(
     if swept.ndim != 1 or swept.size < 2 or not ((steps > 0).all() or (steps < 0).all()):
         raise GroundrollError(f"values of {key} must be a list that increases or decreases")
     aircraft = plane if speed is None else plane.replace(u=speed)
-    lin = linearize(aircraft.replace(**{key: swept}), tire, at, disturbance=disturbance)
+    lin = linearize(aircraft.replace(**{key: swept}), model, at, disturbance=disturbance)
     if lin.decay_rate.shape not in ((), swept.shape):
         raise GroundrollError(
             f"a locus has one parameter, but other arrays give it the shape {lin.decay_rate.shape}"

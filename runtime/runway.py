@@ -184,7 +184,7 @@ def _parts(run: Trajectory) -> Iterator[Roll]:
     paths = (run[s].reshape(-1, run.t.size) for s in ("X", "Y", "psi", "F_disturbance"))
     arms = (np.broadcast_to(run.aircraft[s], shape).ravel().tolist() for s in ("a", "b"))
     for k, (X, Y, psi, force, a, b) in enumerate(zip(*paths, *arms, strict=True)):
-        label = f"{run.aircraft.name}, {run.tire} tire{_varied(run, shape, k)}"
+        label = f"{run.aircraft.name}, {run.model} model{_varied(run, shape, k)}"
         yield Roll(run.t, X, Y, psi, force, a, b, label, COLOURS[0])
 
 

@@ -10,12 +10,12 @@ import casadi as ca
 import numpy as np
 import numpy.typing as npt
 
-from . import generated
 from .arrays import FloatArray
 from .evaluate import columns
 from .linearization import ComplexArray, Linearization, columns_at
 from .listing import Listed, span, unit_of
-from .names import QUANTITIES, signature, symbol
+from .models import ModelLike, as_model
+from .names import QUANTITIES, symbol
 
 
 @dataclass(frozen=True, repr=False)
@@ -66,12 +66,12 @@ _SAME = 1e-7
 
 def sensitivities(lin: Linearization) -> Sensitivities:
     """Derivatives of a linear model; see `Sensitivities`."""
-    x, u, p, shape = columns_at(lin.aircraft, lin.tire, lin.at)
-    (flat,) = columns(_state_matrix_derivatives(lin.tire), x, u, p)
+    x, u, p, shape = columns_at(lin.aircraft, lin.model, lin.at)
+    (flat,) = columns(_state_matrix_derivatives(lin.model), x, u, p)
     # CasADi stacks the columns of A
     dA = flat.reshape(*shape, 2, 2, len(p)).swapaxes(-3, -2)
     slopes, meet = _eigenvalue_derivatives(lin.A, lin.eigenvalues, dA)
-    return Sensitivities(signature(lin.tire).parameters, dA, slopes, -slopes[..., 0, :].real, meet)
+    return Sensitivities(as_model(lin.model).parameters, dA, slopes, -slopes[..., 0, :].real, meet)
 
 
 def _eigenvalue_derivatives(
@@ -91,12 +91,12 @@ def _eigenvalue_derivatives(
 
 
 @cache
-def _state_matrix_derivatives(tire: str) -> ca.Function:
+def _state_matrix_derivatives(model: ModelLike) -> ca.Function:
     """d(vec A)/dp by CasADi's differentiation of the generated Jacobians: (x, u, p) -> (4, n)."""
-    names = signature(tire)
-    jacobians = generated.build(f"{tire}_jacobians")
+    names = as_model(model)
+    jacobians = names.expression("jacobians")
     x, u, p = (ca.SX.sym(key, jacobians.size1_in(k)) for k, key in enumerate("xup"))
     dynamic = [names.states.index(s) for s in names.dynamic]
     A = jacobians(x, u, p)[0][dynamic, dynamic]
     derivatives = ca.densify(ca.jacobian(ca.vec(A), p))
-    return ca.Function(f"{tire}_state_matrix_derivatives", [x, u, p], [derivatives])
+    return ca.Function(f"{names.name}_state_matrix_derivatives", [x, u, p], [derivatives])

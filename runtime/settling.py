@@ -16,7 +16,7 @@ from .evaluate import columns
 from .gusts import Gust
 from .integration import integrate_varying, integrator
 from .linearization import linearize
-from .names import signature
+from .models import ModelLike, as_model
 from .simulation import Trajectory
 
 IntArray = npt.NDArray[np.intp]
@@ -55,25 +55,25 @@ def responses(run: Trajectory) -> list[Response | None]:
     GroundrollError
         If it is not known when the gust of the run ends.
     """
-    names, shape = signature(run.tire), run["v"].shape[:-1]
+    names, shape = as_model(run.model), run["v"].shape[:-1]
     gust = _gust(run)
-    p, flat, _ = run.aircraft.columns(run.tire, **{s: run[s][..., 0] for s in run.values})
+    p, flat, _ = run.aircraft.columns(run.model, **{s: run[s][..., 0] for s in run.values})
     x0 = np.stack([flat[s] for s in names.states])
     begin, end = (
         np.maximum(np.broadcast_to(t, shape).ravel(), 0.0) for t in (gust.start, gust.end)
     )
     t = _grid(np.concatenate([begin, end, gust.breaks]), end.max())
     # what acts just before and just after each sample
-    sides = np.stack([gust.on_runs(run.tire, shape, np.nextafter(t, to)) for to in (0.0, np.inf)])
+    sides = np.stack([gust.on_runs(run.model, shape, np.nextafter(t, to)) for to in (0.0, np.inf)])
     final = sides[1, :, :, -1]
-    decay_rate = np.broadcast_to(linearize(run.aircraft, run.tire).decay_rate, shape).ravel()
+    decay_rate = np.broadcast_to(linearize(run.aircraft, run.model).decay_rate, shape).ravel()
     hopeful = np.flatnonzero(decay_rate >= -_NEUTRAL)
     found: list[Response | None] = [None] * begin.size
-    varied = _under(gust, shape, hopeful, run.tire, t, x0, p)
+    varied = _under(gust, shape, hopeful, run.model, t, x0, p)
     for k, x in zip(hopeful.tolist(), varied, strict=True):
-        states = _until_steady(run.tire, x, final[:, k], p[:, k])
+        states = _until_steady(run.model, x, final[:, k], p[:, k])
         if states is not None:
-            curves = _curves(run.tire, t, states, sides[:, :, k], p[:, k], begin[k])
+            curves = _curves(run.model, t, states, sides[:, :, k], p[:, k], begin[k])
             found[k] = Response(curves, float(end[k] - begin[k]))
     return found
 
@@ -108,7 +108,7 @@ def _under(
     gust: Gust,
     shape: tuple[int, ...],
     which: IntArray,
-    tire: str,
+    model: ModelLike,
     t: FloatArray,
     x0: FloatArray,
     p: FloatArray,
@@ -119,16 +119,18 @@ def _under(
         return start
 
     def inputs(t: FloatArray) -> FloatArray:
-        return gust.on_runs(tire, shape, t)[:, which]
+        return gust.on_runs(model, shape, t)[:, which]
 
-    after = integrate_varying(tire, "rk45", t[1:], x0[:, which], inputs, p[:, which], gust.breaks)
+    after = integrate_varying(model, "rk45", t[1:], x0[:, which], inputs, p[:, which], gust.breaks)
     return np.concatenate([start, after], axis=2)
 
 
-def _until_steady(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray | None:
+def _until_steady(
+    model: ModelLike, x: FloatArray, u: FloatArray, p: FloatArray
+) -> FloatArray | None:
     """States continued under a constant input until v and r are steady; None if they never are."""
-    window = integrator(tire, "rk45", _STEP * np.arange(1.0, _WINDOW + 1))
-    names = signature(tire)
+    window = integrator(model, "rk45", _STEP * np.arange(1.0, _WINDOW + 1))
+    names = as_model(model)
     moving = [names.states.index(s) for s in names.dynamic]
     parts = [x]
     peak = np.abs(x[moving]).max(axis=1)
@@ -147,22 +149,24 @@ def _until_steady(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> Flo
 
 
 def _curves(
-    tire: str, t: FloatArray, x: FloatArray, sides: FloatArray, p: FloatArray, begin: float
+    model: ModelLike, t: FloatArray, x: FloatArray, sides: FloatArray, p: FloatArray, begin: float
 ) -> dict[str, Curve]:
     """States over the time since `begin`; after the times `t` the last input goes on."""
     count, more = t.size, x.shape[1] - t.size
     times = np.concatenate([t, t[-1] + _STEP * np.arange(1, more + 1)]) - begin
-    rest = _rates(tire, x[:, count:], np.tile(sides[1, :, -1:], more), p)
+    rest = _rates(model, x[:, count:], np.tile(sides[1, :, -1:], more), p)
     before, after = (
-        np.concatenate([_rates(tire, x[:, :count], u, p), rest], axis=1) for u in sides
+        np.concatenate([_rates(model, x[:, :count], u, p), rest], axis=1) for u in sides
     )
     rows = np.stack([x, before, after], axis=1)[:, :, times >= 0]
     return {
         s: Curve(times[times >= 0], *row)
-        for s, row in zip(signature(tire).states, rows, strict=True)
+        for s, row in zip(as_model(model).states, rows, strict=True)
     }
 
 
-def _rates(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
-    (rates,) = columns(f"{tire}_rhs", x, u, np.repeat(p[:, None], x.shape[1], axis=1))
+def _rates(model: ModelLike, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
+    (rates,) = columns(
+        as_model(model).function("rhs"), x, u, np.repeat(p[:, None], x.shape[1], axis=1)
+    )
     return rates[:, :, 0].T

@@ -17,7 +17,8 @@ from .evaluate import columns
 from .gusts import Gust, as_gust, sampled
 from .integration import integrate, integrate_varying
 from .listing import Listed, span, unit_of
-from .names import QUANTITIES, signature, symbol
+from .models import ModelLike, as_model
+from .names import QUANTITIES, symbol
 from .records import Record, measured, run_dims, time_axis
 from .results import Result
 
@@ -40,7 +41,7 @@ class Trajectory(Listed, Result):
         was passed; () for a single run.
     aircraft : Aircraft
         What was simulated, at the speed of the run.
-    tire : str
+    model : str or Model
         Which model.
     disturbance : ndarray
         Side force on the tail, N: constant, or over time, shape (*shape, samples), if `gust` is
@@ -52,7 +53,7 @@ class Trajectory(Listed, Result):
     t: FloatArray
     values: Mapping[str, FloatArray]
     aircraft: Aircraft
-    tire: str
+    model: ModelLike
     disturbance: FloatArray
     gust: Gust | None = None
 
@@ -81,7 +82,7 @@ class Trajectory(Listed, Result):
     def _record(self) -> Record:
         runs = run_dims(self["v"].shape[:-1])
         series = {s: measured((*runs, "t"), values, s) for s, values in self.values.items()}
-        about: dict[str, Any] = {"tire": self.tire, "disturbance": "constant"}
+        about: dict[str, Any] = {"model": self.model, "disturbance": "constant"}
         if self.gust is not None:
             ended = bool((self.gust.end <= self.t[-1]).all())
             about |= {"disturbance": self.gust.label, "ended": ended}
@@ -93,14 +94,14 @@ class Trajectory(Listed, Result):
         """As it was; a disturbance that varied over time comes back as its samples."""
         t, about = record["t"], record.about
         values = {s: record[s] for s in record.results if s != "t"}
-        (force,) = (values[s] for s in signature(about["tire"]).inputs)
-        plane, tire = record.aircraft, about["tire"]
+        (force,) = (values[s] for s in as_model(about["model"]).inputs)
+        plane, model = record.aircraft, about["model"]
         if "ended" not in about:
-            return cls(t, values, plane, tire, force[..., 0])
+            return cls(t, values, plane, model, force[..., 0])
         lines = sampled(t, force)
         end = lines.end if about["ended"] else np.asarray(np.inf)
         gust = replace(lines, label=f"{about['disturbance']} (its samples)", end=end)
-        return cls(t, values, plane, tire, force, gust)
+        return cls(t, values, plane, model, force, gust)
 
     def _repr_html_(self) -> str:
         from .notebook import sparkline, table
@@ -115,7 +116,7 @@ class Trajectory(Listed, Result):
         shape = self["v"].shape[:-1]
         many = f", {' x '.join(map(str, shape))} runs" if shape else ""
         return (
-            f"Trajectory of {self.aircraft.name!r}, {self.tire} tire, 0 to {self.t[-1]:g} s,"
+            f"Trajectory of {self.aircraft.name!r}, {self.model} model, 0 to {self.t[-1]:g} s,"
             f" {self.t.size} samples{many}"
         )
 
@@ -128,7 +129,7 @@ class Trajectory(Listed, Result):
 
 def simulate(
     plane: Aircraft,
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     *,
     t: float | str = 5.0,
     samples: int = 501,
@@ -145,7 +146,7 @@ def simulate(
     ----------
     plane : Aircraft
         The aircraft; its parameters may be arrays.
-    tire : str
+    model : str or Model
         ``"linear"`` or ``"nonlinear"``.
     t : float
         Duration, s.
@@ -173,7 +174,7 @@ def simulate(
     GroundrollError
         For unknown names, values that cannot be, or a run that leaves the numbers.
     """
-    names = signature(tire)
+    names = as_model(model)
     duration, count = positive("t", t, "s"), whole("samples", samples, 2)
     check_memory(8 * count * len((*names.states, *names.outputs, *names.inputs)), "the series")
     aircraft = plane if speed is None else plane.replace(u=speed)
@@ -182,31 +183,36 @@ def simulate(
     gust = as_gust(disturbance)
     force = finite("disturbance", disturbance, "N") if gust is None else gust(times)
     at_start = force if gust is None else force[..., 0]
-    p, flat, shape = aircraft.columns(tire, disturbance=at_start, **start)
+    p, flat, shape = aircraft.columns(model, disturbance=at_start, **start)
     x0 = np.stack([flat[key] for key in start])
     if gust is None:
-        constant = as_inputs(tire, flat["disturbance"])
-        after = integrate(tire, method, times[1:], x0, constant, p)
+        constant = as_inputs(model, flat["disturbance"])
+        after = integrate(model, method, times[1:], x0, constant, p)
         u = np.repeat(constant[:, :, None], times.size, axis=2)
     else:
         gust.refuse_jumps(duration)
-        inputs = partial(gust.on_runs, tire, shape)
-        after = integrate_varying(tire, method, times[1:], x0, inputs, p, gust.breaks)
+        inputs = partial(gust.on_runs, model, shape)
+        after = integrate_varying(model, method, times[1:], x0, inputs, p, gust.breaks)
         u = inputs(times)
     x = np.concatenate([x0.T[:, :, None], after], axis=2)
-    series = np.concatenate([x, _outputs(tire, x, u, p), np.moveaxis(u, 0, 1)], axis=1)
+    series = np.concatenate([x, _outputs(model, x, u, p), np.moveaxis(u, 0, 1)], axis=1)
     values = {
         name: series[:, i].reshape(*shape, times.size)
         for i, name in enumerate((*names.states, *names.outputs, *names.inputs))
     }
-    return Trajectory(times, values, aircraft, tire, force, gust)
+    return Trajectory(times, values, aircraft, names.key, force, gust)
 
 
-def _outputs(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
+def _outputs(model: ModelLike, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
     """Outputs over time, shape (runs, outputs, samples)."""
-    samples = x.shape[2]
+    samples, outputs = x.shape[2], as_model(model).function("outputs")
     rows = [
-        columns(f"{tire}_outputs", x[k], u[:, k], np.repeat(p[:, k, None], samples, axis=1))
+        columns(
+            outputs,
+            x[k],
+            u[:, k],
+            np.repeat(p[:, k, None], samples, axis=1),
+        )
         for k in range(len(x))
     ]
     return np.stack([y[:, :, 0].T for (y,) in rows])

@@ -14,14 +14,15 @@ from .errors import GroundrollError
 from .generated import kernels
 from .generated.kernels import Task
 from .generated.packs import Kernel
-from .names import signature, symbol
+from .models import ModelLike, as_model
+from .names import symbol
 from .vm_ensemble import integrate_in_vm
 
 Solver = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 
 
 def solver(
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     t: Any = 5.0,
     *,
     names: Iterable[str] = ("v", "r", "y", "theta"),
@@ -35,7 +36,7 @@ def solver(
 
     Parameters
     ----------
-    tire : str
+    model : str or Model
         ``"linear"`` or ``"nonlinear"``.
     t : float or sequence of float
         Increasing output times, s, from 0 on; the last ends the integration.
@@ -48,7 +49,7 @@ def solver(
     -------
     callable
         x0, u, p : initial states, inputs and parameters in the order of
-        ``generated.MODELS[tire]``; returns an array of shape (names, times), NaN where the
+        ``generated.PACKS[model]``; returns an array of shape (names, times), NaN where the
         motion grows without bound. One thread at a time may call it.
 
     Raises
@@ -56,7 +57,7 @@ def solver(
     GroundrollError
         For unknown names, times that do not increase, or `tol` outside what is offered.
     """
-    model = signature(tire)
+    model = as_model(model)
     times = np.atleast_1d(finite("t", t, "s"))
     if (
         times.ndim != 1
@@ -71,7 +72,7 @@ def solver(
         dict.fromkeys(symbol(n, "name", allowed, "names") for n in listed("names", names))
     )
     tolerance = check_tolerance(tol)
-    kernel = smallest_kernel(tire, wanted)
+    kernel = smallest_kernel(model, wanted)
     if kernels.can_compile(kernel):
         return kernels.Stepper(kernel, times, tolerance, wanted)
     return partial(_solve_in_vm, kernel, times, tolerance, wanted)

@@ -16,7 +16,8 @@ from .errors import GroundrollError, beyond
 from .evaluate import columns, elementwise
 from .linearization import OperatingPoint, modes_of
 from .listing import Listed
-from .names import signature, symbol
+from .models import ModelLike, as_model
+from .names import symbol
 from .records import Column, Record, measured, run_dims
 from .results import Result
 
@@ -66,7 +67,7 @@ class Trim(Listed, Result):
     singular: BoolArray
     slip: float
     aircraft: Aircraft
-    tire: str
+    model: ModelLike
     disturbance: FloatArray
 
     def __getitem__(self, name: str) -> FloatArray:
@@ -97,7 +98,7 @@ class Trim(Listed, Result):
         results["stable"] = Column((*runs, *per), self.stable)
         results |= {name: Column(runs, getattr(self, name)) for name in ("count", "singular")}
         given = {"F_disturbance": self.disturbance}
-        about = {"tire": self.tire, "slip": self.slip}
+        about = {"model": self.model, "slip": self.slip}
         return Record("trim", self.aircraft, runs, results, per, given, about)
 
     @classmethod
@@ -111,7 +112,7 @@ class Trim(Listed, Result):
         )
 
     def _title(self) -> str:
-        head = f"Trim of {self.aircraft.name!r}, {self.tire} tire"
+        head = f"Trim of {self.aircraft.name!r}, {self.model} model"
         if self.count.ndim:
             few, many = self.count.min(), self.count.max()
             return f"{head}: {self.count.shape} cases with {few} to {many} equilibria"
@@ -133,7 +134,7 @@ class Trim(Listed, Result):
 
 def trim(
     plane: Aircraft,
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     *,
     speed: Any = None,
     disturbance: Any = 0.0,
@@ -151,7 +152,7 @@ def trim(
     ----------
     plane : Aircraft
         The aircraft; its parameters may be arrays.
-    tire : str
+    model : str or Model
         ``"linear"`` or ``"nonlinear"``.
     speed : float or array, optional
         Forward speed, m/s; default the aircraft's own.
@@ -177,9 +178,9 @@ def trim(
         raise GroundrollError(f"slip must be between 0 and a right angle (pi/2), not {slip}")
     aircraft = plane if speed is None else plane.replace(u=speed)
     force = finite("disturbance", disturbance, "N")
-    p, flat, shape = aircraft.columns(tire, disturbance=force)
-    balance = _Balance(tire, p, flat["disturbance"])
-    search = _only_root if tire == "linear" else _all_roots
+    p, flat, shape = aircraft.columns(model, disturbance=force)
+    balance = _Balance(model, p, flat["disturbance"])
+    search = _only_root if model == "linear" else _all_roots
     found, singular = search(balance, widest)
     found = _polished(balance, found)
     values, stable, decay_rate, count = _gathered(balance, found)
@@ -193,9 +194,9 @@ def trim(
         stable=shaped(stable),
         decay_rate=shaped(decay_rate),
         singular=shaped(singular),
-        slip=math.inf if tire == "linear" else widest,
+        slip=math.inf if model == "linear" else widest,
         aircraft=aircraft,
-        tire=tire,
+        model=as_model(model).key,
         disturbance=force,
     )
 
@@ -204,15 +205,15 @@ def trim(
 class _Balance:
     """The balance of moments of some aircraft, one column of parameters each."""
 
-    tire: str
+    model: ModelLike
     p: FloatArray
     force: FloatArray
 
     def at(self, alpha: FloatArray, case: Any = slice(None)) -> dict[str, FloatArray]:
         """The generated equilibrium function at slip angles of the aircraft `case`."""
-        parameters = dict(zip(signature(self.tire).parameters, self.p[:, case], strict=True))
+        parameters = dict(zip(as_model(self.model).parameters, self.p[:, case], strict=True))
         arguments = {"alpha": alpha, "F_disturbance": self.force[case], **parameters}
-        found = elementwise(f"{self.tire}_equilibrium", arguments)
+        found = elementwise(as_model(self.model).function("equilibrium"), arguments)
         if not all(np.isfinite(values).all() for values in found.values()):
             raise beyond("the balance of moments")
         return found
@@ -257,7 +258,7 @@ def _all_roots(balance: _Balance, slip: float) -> tuple[_Found, BoolArray]:
     parts = []
     for start in range(0, balance.force.size, _CHUNK):
         chunk = slice(start, start + _CHUNK)
-        some = _Balance(balance.tire, balance.p[:, chunk], balance.force[chunk])
+        some = _Balance(balance.model, balance.p[:, chunk], balance.force[chunk])
         found, singular = _roots(some, slip)
         parts.append((found.case + start, found.v, found.r, singular))
     case, v, r, singular = (np.concatenate(part) for part in zip(*parts, strict=True))
@@ -322,16 +323,16 @@ def _polished(balance: _Balance, found: _Found) -> _Found:
     if found.case.size == 0:
         return found
     x, u, p = _columns(balance, found)
-    dynamic = _dynamic(balance.tire)
-    (rates,) = columns(f"{balance.tire}_rhs", x, u, p)
+    dynamic = _dynamic(balance.model)
+    (rates,) = columns(as_model(balance.model).function("rhs"), x, u, p)
     for _ in range(_POLISH):
-        A = _state_matrices(balance.tire, x, u, p)
+        A = _state_matrices(balance.model, x, u, p)
         if not np.isfinite(A).all():
             raise beyond("the equilibrium")
         step = np.linalg.pinv(A) @ rates[:, dynamic]
         trial = x.copy()
         trial[dynamic] -= step[:, :, 0].T
-        (after,) = columns(f"{balance.tire}_rhs", trial, u, p)
+        (after,) = columns(as_model(balance.model).function("rhs"), trial, u, p)
         better = np.abs(after[:, dynamic]).sum((1, 2)) < np.abs(rates[:, dynamic]).sum((1, 2))
         x = np.where(better, trial, x)
         rates = np.where(better[:, None, None], after, rates)
@@ -339,34 +340,34 @@ def _polished(balance: _Balance, found: _Found) -> _Found:
     return _Found(found.case, v, r)
 
 
-def _dynamic(tire: str) -> list[int]:
-    names = signature(tire)
+def _dynamic(model: ModelLike) -> list[int]:
+    names = as_model(model)
     return [names.states.index(s) for s in names.dynamic]
 
 
 def _columns(balance: _Balance, found: _Found) -> tuple[FloatArray, FloatArray, FloatArray]:
-    x = np.zeros((len(signature(balance.tire).states), found.case.size))
-    x[_dynamic(balance.tire)] = found.v, found.r
+    x = np.zeros((len(as_model(balance.model).states), found.case.size))
+    x[_dynamic(balance.model)] = found.v, found.r
     return x, balance.force[None, found.case], balance.p[:, found.case]
 
 
-def _state_matrices(tire: str, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
-    dynamic = _dynamic(tire)
-    return columns(f"{tire}_jacobians", x, u, p)[0][:, dynamic][:, :, dynamic]
+def _state_matrices(model: ModelLike, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
+    dynamic = _dynamic(model)
+    return columns(as_model(model).function("jacobians"), x, u, p)[0][:, dynamic][:, :, dynamic]
 
 
 def _gathered(
     balance: _Balance, found: _Found
 ) -> tuple[dict[str, FloatArray], BoolArray, FloatArray, npt.NDArray[np.int64]]:
     """Equilibria as arrays, one row per aircraft, in order of the slip angle."""
-    names = signature(balance.tire)
+    names = as_model(balance.model)
     cases = balance.force.size
     count = np.bincount(found.case, minlength=cases)
     columns_of = {name: np.empty(0) for name in ("v", "r", *names.outputs, "decay_rate")}
     if found.case.size:
         x, u, p = _columns(balance, found)
-        outputs = columns(f"{balance.tire}_outputs", x, u, p)[0][:, :, 0].T
-        modes = modes_of(_state_matrices(balance.tire, x, u, p))
+        outputs = columns(as_model(balance.model).function("outputs"), x, u, p)[0][:, :, 0].T
+        modes = modes_of(_state_matrices(balance.model, x, u, p))
         columns_of = {"v": found.v, "r": found.r, **dict(zip(names.outputs, outputs, strict=True))}
         columns_of["decay_rate"] = modes["decay_rate"]
     order = np.lexsort([columns_of["alpha"], found.case])

@@ -414,12 +414,12 @@ def test_a_packaged_aircraft_has_a_source_for_every_number(name: str):
 
 
 @pytest.mark.parametrize("name", packaged())
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
-def test_a_packaged_aircraft_runs_and_is_stable_at_its_speed(name: str, tire: str):
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_a_packaged_aircraft_runs_and_is_stable_at_its_speed(name: str, model: str):
     plane = gr.Aircraft.load(name)
-    run = gr.simulate(plane, tire=tire, v0=0.1, t=8.0, samples=11)
+    run = gr.simulate(plane, model=model, v0=0.1, t=8.0, samples=11)
     assert abs(run["r"][-1]) < 1e-4
-    assert gr.linearize(plane, tire=tire).decay_rate > 0
+    assert gr.linearize(plane, model=model).decay_rate > 0
 
 
 def test_the_loads_of_the_cessna_170_are_those_on_scales():

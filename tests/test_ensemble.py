@@ -64,21 +64,21 @@ EVERYTHING = {
 # --- Right ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
 @pytest.mark.parametrize("tol", [1e-4, 1e-6, 1e-9])
-def test_it_agrees_with_scipy_on_what_sympy_prints(tire: str, tol: float):
+def test_it_agrees_with_scipy_on_what_sympy_prints(model: str, tol: float):
     values = cloud(20, v0=6.0, r0=0.3)
     at = np.linspace(0.0, 4.0, 9)
-    states = tuple(map(str, MODELS[tire].states))
-    ens = gr.ensemble(PLANE, 4.0, tire, at=at, names=states, tol=tol, **values)
-    end = gr.ensemble(PLANE, 4.0, tire, names=states, tol=tol, **values)
-    f = right_hand_side(tire)
+    states = tuple(map(str, MODELS[model].states))
+    ens = gr.ensemble(PLANE, 4.0, model, at=at, names=states, tol=tol, **values)
+    end = gr.ensemble(PLANE, 4.0, model, names=states, tol=tol, **values)
+    f = right_hand_side(model)
     parameters = ("a", "Ct", "speed")
     for k in range(20):
         plane = PLANE.replace(**{name: values[name][k] for name in parameters})
         x0 = np.zeros(7)
         x0[:2] = values["v0"][k], values["r0"][k]
-        u, p = np.array([values["disturbance"][k]]), plane.parameters(tire)
+        u, p = np.array([values["disturbance"][k]]), plane.parameters(model)
         exact = solve_ivp(
             lambda t, x, u=u, p=p: f(x, u, p),
             (0.0, 4.0),
@@ -372,7 +372,7 @@ def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
     [
         ({"t": 0.0}, "t must be a positive number, not 0.0"),
         ({"t": np.nan}, "t must be finite"),
-        ({"tire": "linaer"}, "did you mean linear"),
+        ({"model": "linaer"}, "did you mean linear"),
         ({"tol": 1e-13}, r"tol must be from 1e-11 to 0.001, not 1e-13"),
         ({"tol": 0.1}, "tol must be from"),
         ({"a": [0.1, np.inf]}, r"main_gear_arm \(a\) must be finite, but .*\[1\] = inf"),

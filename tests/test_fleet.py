@@ -44,13 +44,13 @@ class TestPackaged:
         assert {"brott", "brott-physical"} <= set(packaged())
 
     @pytest.mark.parametrize("name", ["brott", "brott-physical"])
-    @pytest.mark.parametrize("tire", ["linear", "nonlinear"])
-    def test_each_simulates_and_linearizes(self, name, tire):
+    @pytest.mark.parametrize("model", ["linear", "nonlinear"])
+    def test_each_simulates_and_linearizes(self, name, model):
         plane = gr.Aircraft.load(name)
-        run = gr.simulate(plane, tire=tire, v0=0.1, t=5.0)
+        run = gr.simulate(plane, model=model, v0=0.1, t=5.0)
         assert run["v"][0] == 0.1
         assert abs(run["v"][-1]) < 0.1
-        assert gr.linearize(plane, tire=tire).eigenvalues.real.max() < 0
+        assert gr.linearize(plane, model=model).eigenvalues.real.max() < 0
 
     @pytest.mark.parametrize("plane", [PRINTED, PHYSICAL], ids=lambda p: p.name)
     def test_every_number_has_its_source(self, plane):
@@ -200,7 +200,7 @@ class TestFollowing:
         ],
     )
     def test_what_follows_must_be_possible(self, changes, name):
-        text = message(lambda: gr.linearize(PHYSICAL.replace(**changes), tire="linear"))
+        text = message(lambda: gr.linearize(PHYSICAL.replace(**changes), model="linear"))
         assert name in text
         assert "positive" in text
 

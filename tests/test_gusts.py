@@ -38,9 +38,9 @@ def plane() -> gr.Aircraft:
     return gr.Aircraft.load("brott-physical")
 
 
-def oracle(plane: gr.Aircraft, tire: str, gust: gusts.Gust, x0: Array, times: Array = T) -> Array:
+def oracle(plane: gr.Aircraft, model: str, gust: gusts.Gust, x0: Array, times: Array = T) -> Array:
     """States by SciPy with the input as it is, piece by piece between its breaks."""
-    f, p = right_hand_side(tire), plane.parameters(tire)
+    f, p = right_hand_side(model), plane.parameters(model)
     ends = [0.0, *(b for b in gust.breaks if 0 < b < times[-1]), times[-1]]
     states, x = np.empty((x0.size, times.size)), x0
     for begin, end in pairwise(ends):
@@ -62,16 +62,16 @@ def error(found: Array, exact: Array) -> float:
     return float((np.abs(found - exact).max(axis=1) / np.abs(exact).max(axis=1)).max())
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
 @pytest.mark.parametrize("kind", AIRCRAFT)
 @pytest.mark.parametrize("name", GUSTS)
 def test_a_gust_is_integrated_as_well_as_a_constant(
-    plane: gr.Aircraft, tire: str, kind: str, name: str
+    plane: gr.Aircraft, model: str, kind: str, name: str
 ) -> None:
     pushed = plane.replace(**AIRCRAFT[kind])
-    run = gr.simulate(pushed, tire, disturbance=GUSTS[name], v0=0.05, t=T[-1], samples=T.size)
+    run = gr.simulate(pushed, model, disturbance=GUSTS[name], v0=0.05, t=T[-1], samples=T.size)
     x0 = np.array([0.05, 0, 0, 0, 0, 0, 0])
-    exact = oracle(pushed, tire, GUSTS[name], x0)
+    exact = oracle(pushed, model, GUSTS[name], x0)
     found = np.array([run[s] for s in ("v", "r", "y", "theta", "X", "Y", "psi")])
     assert error(found, exact) < 1e-9
     assert run["disturbance"] == pytest.approx(GUSTS[name](T), abs=0)

@@ -12,10 +12,10 @@ import groundroll as gr
 from groundroll.linearization import modes_of
 
 
-def aircraft(tire, p=None):
+def aircraft(model, p=None):
     """An aircraft from a parameter vector, or the thesis's in Trial 19."""
-    names = map(str, MODELS[tire].parameters)
-    p = parameters(tire) if p is None else p
+    names = map(str, MODELS[model].parameters)
+    p = parameters(model) if p is None else p
     return gr.Aircraft("random", dict(zip(names, p, strict=True)))
 
 
@@ -24,32 +24,32 @@ def at(point):
     return gr.OperatingPoint(point[0][0], point[0][1], point[1][0])
 
 
-def complex_step(tire, point, k, size=1e-30):
+def complex_step(model, point, k, size=1e-30):
     """d(v_dot, r_dot)/d(v or r) of the equations as SymPy prints them."""
-    f = right_hand_side(tire)
+    f = right_hand_side(model)
     x = point[0].astype(complex)
     x[k] += 1j * size
     return np.array(f(x, point[1], point[2]))[:2].imag / size
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
-def test_the_state_matrix_is_the_derivative_anywhere(tire):
-    @given(points(tire))
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_the_state_matrix_is_the_derivative_anywhere(model):
+    @given(points(model))
     def check(point):
-        lin = gr.linearize(aircraft(tire, point[2]), tire, at(point))
-        expected = np.stack([complex_step(tire, point, k) for k in (0, 1)], axis=1)
+        lin = gr.linearize(aircraft(model, point[2]), model, at(point))
+        expected = np.stack([complex_step(model, point, k) for k in (0, 1)], axis=1)
         np.testing.assert_allclose(lin.A, expected, rtol=1e-9, atol=1e-9 * np.abs(lin.A).max())
-        drift = right_hand_side(tire)(*point)[:2]
+        drift = right_hand_side(model)(*point)[:2]
         np.testing.assert_allclose(lin.drift, drift, atol=1e-9 * (1 + np.abs(drift).max()))
 
     check()
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
-def test_sensitivities_of_a_are_its_differences(tire):
-    @given(points(tire))
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_sensitivities_of_a_are_its_differences(model):
+    @given(points(model))
     def check(point):
-        lin = gr.linearize(aircraft(tire, point[2]), tire, at(point))
+        lin = gr.linearize(aircraft(model, point[2]), model, at(point))
         sensitivities = lin.sensitivities()
         for k in range(len(point[2])):
             step = 1e-6 * max(abs(point[2][k]), 1e-7)
@@ -57,7 +57,7 @@ def test_sensitivities_of_a_are_its_differences(tire):
             for side in (1, -1):
                 p = point[2].copy()
                 p[k] += side * step
-                ends.append(gr.linearize(aircraft(tire, p), tire, at(point)).A)
+                ends.append(gr.linearize(aircraft(model, p), model, at(point)).A)
             slope = (ends[0] - ends[1]) / (2 * step)
             exact = sensitivities.A[..., k]
             rounding = 1e-15 * np.abs(lin.A).max() / step
@@ -68,13 +68,13 @@ def test_sensitivities_of_a_are_its_differences(tire):
     check()
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
-def test_sensitivities_of_eigenvalues_are_those_of_their_eigenvectors(tire):
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_sensitivities_of_eigenvalues_are_those_of_their_eigenvectors(model):
     """w^H dA v / (w^H v) with NumPy's eigenvectors; NaN only where the modes meet."""
 
-    @given(points(tire))
+    @given(points(model))
     def check(point):
-        lin = gr.linearize(aircraft(tire, point[2]), tire, at(point))
+        lin = gr.linearize(aircraft(model, point[2]), model, at(point))
         apart = abs(lin.eigenvalues[0] - lin.eigenvalues[1]) / np.abs(lin.eigenvalues).max()
         assume(apart > 1e-3)
         sensitivities = lin.sensitivities()

@@ -92,8 +92,8 @@ def test_figures_4_21_and_4_22_are_cuts_over_the_gear_position(figure, of, forwa
     }[forward]
     stiffness = np.array([220.815, 441.630])
     values = cut(of, 5 if forward else 7, "a", np.array([-0.5, 0.0]), stiffness * PER_DEGREE)
-    for (arm, tire), eigenvalue in printed.items():
-        found = values[int(tire > 300), int(arm == 0)]
+    for (arm, model), eigenvalue in printed.items():
+        found = values[int(model > 300), int(arm == 0)]
         expected = (
             eigenvalue.imag if of == "damped_frequency" else -eigenvalue.real / abs(eigenvalue)
         )
@@ -113,8 +113,8 @@ def test_figures_4_27_and_4_28_are_cuts_over_the_tail_wheel(figure, of):
     }
     wheels, tires = np.array([70.0, 112.0, 145.0]), np.array([220.815, 441.630])
     values = cut(of, 17, "Ct", wheels * PER_DEGREE, tires * PER_DEGREE)
-    for (wheel, tire), eigenvalue in printed.items():
-        found = values[int(tire > 300), int(np.flatnonzero(wheels == wheel)[0])]
+    for (wheel, model), eigenvalue in printed.items():
+        found = values[int(model > 300), int(np.flatnonzero(wheels == wheel)[0])]
         expected = (
             eigenvalue.imag if of == "damped_frequency" else -eigenvalue.real / abs(eigenvalue)
         )

@@ -20,14 +20,14 @@ def plane() -> gr.Aircraft:
 
 def test_the_lines_of_the_readme_work(plane: gr.Aircraft) -> None:
     plane = plane.replace(a=-0.5, b=3.92176)
-    run = gr.simulate(plane, tire="nonlinear", v0=0.1, t=5.0, samples=501)
+    run = gr.simulate(plane, model="nonlinear", v0=0.1, t=5.0, samples=501)
     assert run.t.shape == run["v"].shape == run["theta"].shape == run["alpha"].shape == (501,)
-    lin = gr.linearize(plane, tire="nonlinear", at=gr.OperatingPoint(v=0.4, r=0.02))
+    lin = gr.linearize(plane, model="nonlinear", at=gr.OperatingPoint(v=0.4, r=0.02))
     assert lin.A.shape == (2, 2)
     assert lin.B.shape == (2, 1)
     assert lin.C.shape == (len(lin.outputs), 2)
     assert lin.D.shape == (len(lin.outputs), 1)
-    F = gr.integrator(tire="nonlinear", method="rk45", t=[0.1, 0.2, 5.0])
+    F = gr.integrator(model="nonlinear", method="rk45", t=[0.1, 0.2, 5.0])
     assert isinstance(F, ca.Function)
     assert F.name_in() == ["x0", "u", "p"]
     assert F.name_out() == ["xf"]
@@ -53,8 +53,8 @@ def test_a_disturbance_is_the_first_input_and_the_others_are_zero(
     monkeypatch.setitem(MODELS, "two_inputs", more)
     for disturbance in (30.0, gr.gusts.one_minus_cosine(30.0, 0.1, 0.5)):
         runs = [
-            gr.simulate(plane, tire, disturbance=disturbance, t=1.0, samples=11)
-            for tire in ("nonlinear", "two_inputs")
+            gr.simulate(plane, model, disturbance=disturbance, t=1.0, samples=11)
+            for model in ("nonlinear", "two_inputs")
         ]
         for name in (*more.states, *more.outputs):
             np.testing.assert_array_equal(runs[1][name], runs[0][name])
@@ -85,12 +85,12 @@ def test_a_grid_does_not_change_the_motion(plane: gr.Aircraft) -> None:
     assert fine == pytest.approx(coarse, rel=1e-8, abs=1e-10)
 
 
-@pytest.mark.parametrize("tire", MODELS)
-def test_arrays_go_through(plane: gr.Aircraft, tire: str) -> None:
+@pytest.mark.parametrize("model", MODELS)
+def test_arrays_go_through(plane: gr.Aircraft, model: str) -> None:
     many = plane.replace(a=np.array([-0.5, 0.0, 0.5]))
-    run = gr.simulate(many, tire, v0=np.array([[0.1], [0.2]]), t=1.0, samples=11)
+    run = gr.simulate(many, model, v0=np.array([[0.1], [0.2]]), t=1.0, samples=11)
     assert run["v"].shape == (2, 3, 11)
-    alone = gr.simulate(plane.replace(a=0.5), tire, v0=0.2, t=1.0, samples=11)
+    alone = gr.simulate(plane.replace(a=0.5), model, v0=0.2, t=1.0, samples=11)
     assert run["Y"][1, 2] == pytest.approx(alone["Y"], abs=0)
     assert run["alpha"][1, 2] == pytest.approx(alone["alpha"], abs=0)
 
@@ -123,12 +123,12 @@ def test_rk4_approaches_rk45(plane: gr.Aircraft) -> None:
     assert 12 < error[0] / error[1] < 22
 
 
-@pytest.mark.parametrize("tire", MODELS)
-def test_steady_state_is_the_inverse_of_A(plane: gr.Aircraft, tire: str) -> None:
+@pytest.mark.parametrize("model", MODELS)
+def test_steady_state_is_the_inverse_of_A(plane: gr.Aircraft, model: str) -> None:
     """[y, theta] = -A^-1 x0 (linear model; the non-linear one for a small start)."""
-    run = gr.simulate(plane, tire, v0=1e-6, r0=2e-7, t=1.0)
+    run = gr.simulate(plane, model, v0=1e-6, r0=2e-7, t=1.0)
     metrics = run.metrics()
-    expected = -np.linalg.solve(gr.linearize(plane, tire).A, [1e-6, 2e-7])
+    expected = -np.linalg.solve(gr.linearize(plane, model).A, [1e-6, 2e-7])
     assert [metrics.displacement, metrics.rotation] == pytest.approx(expected, rel=1e-6)
 
 
@@ -177,7 +177,7 @@ def test_metrics_of_several_runs_and_of_an_unstable_one(plane: gr.Aircraft) -> N
         ({"samples": 2.5}, "samples must be a whole number from 2"),
         ({"w0": 1.0}, "unknown argument 'w0'.*v0"),
         ({"method": "rk54"}, "unknown method 'rk54'.*rk45"),
-        ({"tire": "non-linear"}, "unknown tire 'non-linear'.*nonlinear"),
+        ({"model": "non-linear"}, "unknown model 'non-linear'.*nonlinear"),
         ({"v0": np.zeros(2), "r0": np.zeros(3)}, r"broadcast.*v0 \(2,\), r0 \(3,\)"),
     ],
 )

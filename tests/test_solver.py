@@ -21,18 +21,18 @@ TIMES = np.linspace(0.0, 5.0, 41)
 
 
 def solve(
-    plane: gr.Aircraft, start: dict[str, float], tire: str = "nonlinear", **options: object
+    plane: gr.Aircraft, start: dict[str, float], model: str = "nonlinear", **options: object
 ) -> np.ndarray:
     """The solver's rows for named initial states."""
-    states = gr.names.signature(tire).states
+    states = gr.names.signature(model).states
     x0 = np.array([start.get(s, 0.0) for s in states])
-    return gr.solver(tire, **options)(x0, np.zeros(1), plane.parameters(tire))
+    return gr.solver(model, **options)(x0, np.zeros(1), plane.parameters(model))
 
 
-def scipy(plane: gr.Aircraft, start: dict[str, float], tire: str) -> np.ndarray:
+def scipy(plane: gr.Aircraft, start: dict[str, float], model: str) -> np.ndarray:
     """All states at `TIMES`, by SciPy from what SymPy prints."""
-    states = list(map(str, MODELS[tire].states))
-    f, p = right_hand_side(tire), plane.parameters(tire)
+    states = list(map(str, MODELS[model].states))
+    f, p = right_hand_side(model), plane.parameters(model)
     run = solve_ivp(
         lambda t, x: f(x, np.zeros(1), p),
         (0.0, TIMES[-1]),
@@ -50,7 +50,7 @@ def scipy(plane: gr.Aircraft, start: dict[str, float], tire: str) -> np.ndarray:
 
 @settings(max_examples=40, deadline=None)
 @given(
-    tire=st.sampled_from(["linear", "nonlinear"]),
+    model=st.sampled_from(["linear", "nonlinear"]),
     tol=st.sampled_from([1e-3, 1e-6, 1e-9]),
     a=st.floats(-0.6, 1.0),
     Ct=st.floats(0.0, 8000.0),
@@ -60,7 +60,7 @@ def scipy(plane: gr.Aircraft, start: dict[str, float], tire: str) -> np.ndarray:
     large_slip=st.booleans(),
 )
 def test_it_keeps_the_tolerance_against_scipy(
-    tire: str,
+    model: str,
     tol: float,
     a: float,
     Ct: float,
@@ -70,22 +70,22 @@ def test_it_keeps_the_tolerance_against_scipy(
     large_slip: bool,
 ):
     plane = PLANE.replace(a=a, Ct=Ct, speed=speed, **(LARGE_SLIP if large_slip else {}))
-    start, states = {"v": v, "r": r}, gr.names.signature(tire).states
-    exact = scipy(plane, start, tire)
-    rows = solve(plane, start, tire, t=TIMES, names=states, tol=tol)
+    start, states = {"v": v, "r": r}, gr.names.signature(model).states
+    exact = scipy(plane, start, model)
+    rows = solve(plane, start, model, t=TIMES, names=states, tol=tol)
     scale = np.maximum(np.abs(exact).max(axis=1, keepdims=True), 1e-6)
     # SciPy itself is good to some 1e-11 here
     assert (np.abs(rows - exact) / scale).max() <= tol + 2e-11
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
-def test_a_solver_is_one_trajectory_of_an_ensemble(tire: str):
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_a_solver_is_one_trajectory_of_an_ensemble(model: str):
     names = ("v", "psi", "Y", "alpha")
-    solver = gr.solver(tire, TIMES, names=names, tol=1e-9)
+    solver = gr.solver(model, TIMES, names=names, tol=1e-9)
     x0 = np.array([0.5, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0])
-    rows = solver(x0, np.array([50.0]), PLANE.parameters(tire))
+    rows = solver(x0, np.array([50.0]), PLANE.parameters(model))
     ens = gr.ensemble(
-        PLANE, 5.0, tire, at=TIMES, names=names, tol=1e-9, v0=0.5, r0=0.1, disturbance=50.0
+        PLANE, 5.0, model, at=TIMES, names=names, tol=1e-9, v0=0.5, r0=0.1, disturbance=50.0
     )
     assert rows.shape == (4, TIMES.size)
     for row, name in zip(rows, names, strict=True):

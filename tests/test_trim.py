@@ -13,17 +13,17 @@ import groundroll as gr
 SLIP = np.radians(20.0)
 
 
-def aircraft(tire="nonlinear", **changes):
+def aircraft(model="nonlinear", **changes):
     """The thesis's aircraft in Trial 19 as plain numbers, with changes."""
-    names = map(str, MODELS[tire].parameters)
+    names = map(str, MODELS[model].parameters)
     return gr.Aircraft("random", {**{name: BROTT[name] for name in names}, **changes})
 
 
-def rates(plane, tire, v, r, force):
+def rates(plane, model, v, r, force):
     """(v_dot, r_dot) as SymPy prints them."""
-    p = np.array([float(plane[str(q)]) for q in MODELS[tire].parameters])
+    p = np.array([float(plane[str(q)]) for q in MODELS[model].parameters])
     x = np.array([v, r, 0.0, 0.0, 0.0, 0.0, 0.0])
-    return right_hand_side(tire)(x, [force], p)[:2]
+    return right_hand_side(model)(x, [force], p)[:2]
 
 
 def equilibria_by_scipy(plane, force, starts=15):
@@ -127,10 +127,10 @@ def test_a_fold_is_found_on_both_sides():
     assert two < np.radians(0.5)
 
 
-@pytest.mark.parametrize("tire", ["linear", "nonlinear"])
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
 @pytest.mark.parametrize("force", [0.0, 100.0])
-def test_a_gear_at_the_cg_with_nothing_behind_it_is_named(tire, force):
-    trim = gr.trim(aircraft(tire, a=0.0, Ap=0.0, Ct=0.0), tire, disturbance=force)
+def test_a_gear_at_the_cg_with_nothing_behind_it_is_named(model, force):
+    trim = gr.trim(aircraft(model, a=0.0, Ap=0.0, Ct=0.0), model, disturbance=force)
     assert bool(trim.singular)
     assert int(trim.count) == 0
     assert "does not depend on the slip angle" in repr(trim)
@@ -178,7 +178,7 @@ def test_a_point_of_a_trim_is_one_to_linearise_about():
         ({"disturbance": np.inf}, "finite"),
         ({"disturbance": "strong"}, "number"),
         ({"speed": 0.0}, "positive"),
-        ({"tire": "square"}, "linear"),
+        ({"model": "square"}, "linear"),
         ({"speed": [1.0, 2.0], "disturbance": [1.0, 2.0, 3.0]}, "broadcast"),
     ],
 )

@@ -36,7 +36,7 @@ print(plane)
 print(f"main gear {plane['a']:.3f} m ahead of the CG, tail {plane['b']:.3f} m behind it")
 
 for name, variant in {"down": plane, "raised": plane.replace(Ct=0.0)}.items():
-    lin = gr.linearize(variant, tire="linear")
+    lin = gr.linearize(variant, model="linear")
     verdict = "stable" if lin.decay_rate > 0 else "unstable: errors double in"
     doubling = "" if lin.decay_rate > 0 else f" {0.693 / -lin.decay_rate:.2f} s"
     print(f"tail wheel {name}: {verdict}{doubling}")

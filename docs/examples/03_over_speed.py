@@ -10,7 +10,7 @@ plane = gr.Aircraft.load("brott-physical")
 speed = np.linspace(5.0, 50.0, 91)  # m/s
 rates = {}
 for name, gear in {"tail wheel down": plane, "tail wheel raised": plane.replace(Ct=0.0)}.items():
-    lin = gr.linearize(gear, tire="linear", speed=speed)
+    lin = gr.linearize(gear, model="linear", speed=speed)
     window = gr.speed_window(gear)  # closed form; NaN where there is none
     unstable = (
         "at no speed" if np.isnan(window.low) else f"{window.low:.1f} to {window.high:.1f} m/s"

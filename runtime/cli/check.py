@@ -77,8 +77,8 @@ def _missing(found: Check) -> Iterator[tuple[str, tuple[str, ...]]]:
     lists = list(found.missing.values())
     every = set(lists[0]).intersection(*lists[1:])
     yield "Missing", tuple(text for text in lists[0] if text in every)
-    for tire, missing in found.missing.items():
-        yield f"Missing for the {tire} tire", tuple(t for t in missing if t not in every)
+    for model, missing in found.missing.items():
+        yield f"Missing for the {model} model", tuple(t for t in missing if t not in every)
 
 
 def _sheet(plane: Aircraft) -> dict[str, str]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from groundroll.models import ModelLike
 from groundroll.names import MODELS, QUANTITIES
 
 from . import options
@@ -80,7 +81,7 @@ def _initial(command: Any) -> Any:
     help="Draw so many trajectories from the ranges, evenly, instead of a grid.",
 )
 @click.option("--seed", type=int, default=0, show_default=True, help="Of the draw.")
-@options.tire()
+@options.model()
 @_initial
 @options.quantity("t", "s", "Duration.", default=5.0)
 @options.varied("speed", "u", "m/s", "Forward speed; default the aircraft's own.")
@@ -114,7 +115,7 @@ def command(
     vary: tuple[options.Grid, ...],
     random: int | None,
     seed: int,
-    tire: str,
+    model: ModelLike,
     t: float,
     extremes: str,
     limits: tuple[tuple[str, float], ...],
@@ -148,7 +149,7 @@ def command(
         ens = ensemble(
             aircraft,
             t,
-            tire,
+            model,
             extremes=[name.strip() for name in extremes.split(",")],
             limits=dict(limits),
             within=dict(within),
@@ -214,7 +215,7 @@ def _figure(ens: Ensemble, axes: dict[str, Any], units: Mapping[str, str]) -> An
 def _text(ens: Ensemble, ranges: Mapping[str, options.Grid], random: int | None) -> str:
     kind = "drawn evenly" if random else " x ".join(map(str, ens.status.shape))
     head = (
-        f"{ens.aircraft.name}, {ens.tire} tire: {ens.status.size} trajectories of"
+        f"{ens.aircraft.name}, {ens.model} model: {ens.status.size} trajectories of"
         f" {number(ens.t)} s ({kind}) over {', '.join(map(_range, ranges.values()))}"
     )
     counts = ", ".join(f"{n} {name}" for name, n in ens.counts.items())
@@ -285,7 +286,7 @@ def _rows(ens: Ensemble, axes: Mapping[str, Any], drawn: bool) -> Iterator[list[
 
 def _data(ens: Ensemble, axes: Mapping[str, Any], seed: int | None) -> dict[str, Any]:
     return {
-        **options.about(ens.aircraft, tire=ens.tire, t=ens.t, tol=ens.tol, seed=seed),
+        **options.about(ens.aircraft, model=ens.model, t=ens.t, tol=ens.tol, seed=seed),
         "varied": axes,
         "shape": ens.status.shape,
         "statuses": ens.STATUS,

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from groundroll.models import ModelLike
+
 from . import options
 from .output import Output, emit, number, table
 from .progress import bar
@@ -27,7 +29,7 @@ _SCALARS = {
     epilog=options.example("groundroll linearize brott --v '0.4 m/s' --r '1 deg/s' --format json"),
 )
 @options.aircraft
-@options.tire()
+@options.model()
 @options.quantity("v", "m/s", "Lateral velocity at the operating point.", default=0.0)
 @options.quantity("r", "rad/s", "Yaw rate at the operating point.", default=0.0)
 @options.speed
@@ -36,7 +38,7 @@ _SCALARS = {
 def command(
     plane: str,
     changes: options.Changes,
-    tire: str,
+    model: ModelLike,
     v: float,
     r: float,
     speed: float | None,
@@ -52,14 +54,14 @@ def command(
 
     point = OperatingPoint(v, r, disturbance)
     with bar():
-        lin = linearize(options.loaded(plane, changes), tire, point, speed=speed)
+        lin = linearize(options.loaded(plane, changes), model, point, speed=speed)
     emit(Output(_text(lin), _rows(lin), _data(lin), lin), form, out)
 
 
 def _text(lin: Linearization) -> str:
     verdict = "stable" if lin.decay_rate > 0 else "unstable"
     head = (
-        f"{lin.aircraft.name}, {lin.tire} tire, {number(lin.aircraft['u'])} m/s,"
+        f"{lin.aircraft.name}, {lin.model} model, {number(lin.aircraft['u'])} m/s,"
         f" v = {number(lin.at.v)} m/s, r = {number(lin.at.r)} rad/s: {verdict}"
     )
     modes = [["eigenvalues", _pair(lin.eigenvalues), "1/s"]]
@@ -114,6 +116,6 @@ def _data(lin: Linearization) -> dict[str, Any]:
     names = ("states", "inputs", "outputs", "A", "B", "C", "D", "drift", "eigenvalues")
     point = {"v": lin.at.v, "r": lin.at.r, "disturbance": lin.at.disturbance}
     return {
-        **options.about(lin.aircraft, tire=lin.tire, speed=lin.aircraft["u"], at=point),
+        **options.about(lin.aircraft, model=lin.model, speed=lin.aircraft["u"], at=point),
         **{name: getattr(lin, name) for name in (*names, *_SCALARS)},
     }

@@ -216,14 +216,14 @@ def loaded(name: str, changes: Changes) -> Aircraft:
     return plane
 
 
-def tire(default: str = "nonlinear") -> Callable[[F], F]:
-    """--tire."""
+def model(default: str = "nonlinear") -> Callable[[F], F]:
+    """--model."""
     return click.option(
-        "--tire",
+        "--model",
         type=click.Choice(["linear", "nonlinear"]),
         default=default,
         show_default=True,
-        help="Model of the main tires.",
+        help="The model: one that ships, or a folder made by `groundroll derive`.",
     )
 
 

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from groundroll.models import ModelLike
+
 from . import options
 from .output import Output, emit, hanging
 from .progress import bar
@@ -72,7 +74,7 @@ _bounds = partial(click.option, type=_Bounds(), multiple=True)
     show_default=True,
     help="A free one casters.",
 )
-@options.tire()
+@options.model()
 @options.output
 @options.picture
 def command(
@@ -87,7 +89,7 @@ def command(
     layout: str | None,
     stiffness: str | None,
     tail_wheel: str,
-    tire: str,
+    model: ModelLike,
     form: str,
     out: Path | None,
     plot: Path | None,
@@ -111,7 +113,7 @@ def command(
             layout=layout,
             stiffness=stiffness,
             tail_wheel=tail_wheel,
-            tire=tire,
+            model=model,
             progress=show,
         )
     data = {**options.about(aircraft), **json.loads(found.to_json())}

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from groundroll.models import ModelLike
 from groundroll.names import MODELS, QUANTITIES
 
 from . import options
@@ -51,7 +52,7 @@ def _gust(command: Any) -> Any:
     ),
 )
 @options.aircraft
-@options.tire()
+@options.model()
 @_initial
 @options.quantity("t", "s", "Duration.", default=5.0)
 @click.option("--samples", type=int, default=501, show_default=True, help="How many to keep.")
@@ -80,7 +81,7 @@ def _gust(command: Any) -> Any:
 def command(
     plane: str,
     changes: options.Changes,
-    tire: str,
+    model: ModelLike,
     t: float,
     samples: int,
     speed: float | None,
@@ -110,7 +111,7 @@ def command(
     with bar():
         run = simulate(
             aircraft,
-            tire,
+            model,
             t=t,
             samples=samples,
             speed=speed,
@@ -153,7 +154,7 @@ def _text(run: Trajectory, metrics: Metrics) -> str:
         last, _ = shown(series[-1], q.unit)
         rows.append([q.name, s, number(peak), number(last), unit])
     head = (
-        f"{run.aircraft.name}, {run.tire} tire, {number(run.aircraft['u'])} m/s,"
+        f"{run.aircraft.name}, {run.model} model, {number(run.aircraft['u'])} m/s,"
         f" {number(run.t[-1])} s"
     )
     over_time = table(["quantity", "symbol", "largest", "at the end", "unit"], rows, right=(2, 3))
@@ -190,7 +191,7 @@ def _rows(run: Trajectory) -> list[list[Any]]:
 
 def _data(run: Trajectory, metrics: Metrics) -> dict[str, Any]:
     return {
-        **options.about(run.aircraft, tire=run.tire, speed=run.aircraft["u"]),
+        **options.about(run.aircraft, model=run.model, speed=run.aircraft["u"]),
         "units": {"t": "s", **{s: QUANTITIES[s].unit for s in run.values}},
         "t": run.t,
         **run.values,

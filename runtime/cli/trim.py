@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from groundroll.models import ModelLike
+
 from . import options
 from .output import Output, emit, number, shown, table
 from .progress import bar
@@ -20,14 +22,14 @@ if TYPE_CHECKING:
     epilog=options.example("groundroll trim brott --disturbance '100 lbf' --speed '60 km/h'"),
 )
 @options.aircraft
-@options.tire()
+@options.model()
 @options.speed
 @options.disturbance
 @options.result
 def command(
     plane: str,
     changes: options.Changes,
-    tire: str,
+    model: ModelLike,
     speed: float | None,
     disturbance: float,
     form: str,
@@ -40,7 +42,7 @@ def command(
     from groundroll.trimming import trim
 
     with bar():
-        found = trim(options.loaded(plane, changes), tire, speed=speed, disturbance=disturbance)
+        found = trim(options.loaded(plane, changes), model, speed=speed, disturbance=disturbance)
     emit(Output(_text(found), _rows(found), _data(found), found), form, out)
 
 
@@ -75,7 +77,7 @@ def _rows(found: Trim) -> list[list[Any]]:
 
 def _data(found: Trim) -> dict[str, Any]:
     return {
-        **options.about(found.aircraft, tire=found.tire, speed=found.aircraft["u"]),
+        **options.about(found.aircraft, model=found.model, speed=found.aircraft["u"]),
         "disturbance": found.disturbance,
         "count": found.count,
         "singular": found.singular,

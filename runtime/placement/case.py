@@ -13,6 +13,7 @@ import numpy as np
 from groundroll import generated
 from groundroll.aircraft import Aircraft
 from groundroll.arrays import FloatArray, broadcast
+from groundroll.models import ModelLike
 
 from .envelope import AXES, Axis
 from .limits import Bound
@@ -67,7 +68,7 @@ class Case:
         Today's design by symbol; NaN for a nose wheel that there is not.
     numbers : mapping of str to float
         Whatever else the equations need, by symbol; NaN for what is not known.
-    tire, v0, duration
+    model, v0, duration
         The run that the displacement is read off: model, initial lateral velocity in m/s, s.
     """
 
@@ -80,7 +81,7 @@ class Case:
     bounds: tuple[Bound, ...]
     today: Mapping[str, float]
     numbers: Mapping[str, float]
-    tire: str
+    model: ModelLike
     v0: float
     duration: float
 

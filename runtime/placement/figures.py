@@ -207,8 +207,8 @@ def path_at_worst(ax: Axes, found: Placement) -> None:
     ax.set_ylabel("offset to the right Y (m)")
     kept = {s for s, axis in found.case.axes.items() if axis.low != axis.high} | {"u", "x_cg"}
     ax.set_title(
-        f"simulated with the {found.case.tire} tire, v = {found.case.v0:g} m/s at the start, at the"
-        f" worst corner:\n{describe(found.worst.corner, kept)}",
+        f"simulated with the {found.case.model} model, v = {found.case.v0:g} m/s at the start, at"
+        f" the worst corner:\n{describe(found.worst.corner, kept)}",
         fontsize=8,
     )
     ax.legend()

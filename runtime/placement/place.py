@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from groundroll.aircraft import Aircraft
+from groundroll.models import ModelLike
 from groundroll.progress import Progress, counted
 
 from .assess import Assessment, assess, here
@@ -36,7 +37,7 @@ def place_gear(
     layout: str | None = None,
     stiffness: str | None = None,
     tail_wheel: str = "locked",
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     v0: float = 0.1,
     t: float = 5.0,
     progress: Progress = None,
@@ -73,7 +74,7 @@ def place_gear(
         locked. ``"following"``: axle loads follow from CG and gear, stiffnesses from the loads.
     tail_wheel : str
         ``"locked"`` or ``"free"``: a free one casters and makes no side force.
-    tire, v0, t
+    model, v0, t
         Of the run that the displacement and the proof are read off: the model, the initial
         lateral velocity in m/s and the duration in s.
     progress : callable or bool, optional
@@ -102,7 +103,7 @@ def place_gear(
         layout=layout,
         stiffness=stiffness,
         tail_wheel=tail_wheel,
-        tire=tire,
+        model=model,
         v0=v0,
         duration=t,
     )

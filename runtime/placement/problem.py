@@ -12,7 +12,7 @@ import numpy as np
 
 from groundroll.arrays import FloatArray
 from groundroll.integration import integrator
-from groundroll.names import signature
+from groundroll.models import as_model
 
 from .case import DESIGN, Case, split, symbolic, vector
 from .envelope import AXES
@@ -127,11 +127,11 @@ class Problem:
         """Offset across the runway, Y, at the samples of the run: (design, corner, numbers)."""
         design, corner, numbers, *_ = self._arguments(ca.MX)
         parameters = self._parameters()(design, corner, numbers)
-        names = signature(self.case.tire)
+        names = as_model(self.case.model)
         times = np.linspace(0, self.case.duration, _SAMPLES + 1)[1:]
         x0 = np.zeros(len(names.states))
         x0[names.states.index("v")] = self.case.v0
-        xf = integrator(self.case.tire, "rk45", times)(x0, np.zeros(len(names.inputs)), parameters)
+        xf = integrator(self.case.model, "rk45", times)(x0, np.zeros(len(names.inputs)), parameters)
         return self._named("path", (design, corner, numbers), [xf[names.states.index("Y"), :].T])
 
     def _parameters(self) -> ca.Function:
@@ -139,7 +139,7 @@ class Problem:
         design, corner, numbers, *_ = self._arguments(ca.SX)
         values = self._linked(design, corner, numbers)
         values |= {"B3": values["B3_worn"], "C3": values["C3_worn"]}
-        found = [values[s] for s in signature(self.case.tire).parameters]
+        found = [values[s] for s in as_model(self.case.model).parameters]
         return ca.Function("parameters", [design, corner, numbers], [ca.vertcat(*found)])
 
     def path_rows(self) -> ca.Function | None:

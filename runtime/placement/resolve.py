@@ -11,7 +11,8 @@ from groundroll import generated
 from groundroll.aircraft import Aircraft
 from groundroll.arrays import finite, positive
 from groundroll.errors import GroundrollError, unknown
-from groundroll.names import QUANTITIES, signature
+from groundroll.models import ModelLike, as_model
+from groundroll.names import QUANTITIES
 
 from .case import THIRD, VARIABLES, Case, Variable
 from .envelope import Axis, Envelope, numbers
@@ -35,7 +36,7 @@ def resolve(
     layout: str | None = None,
     stiffness: str | None = None,
     tail_wheel: str = "locked",
-    tire: str = "nonlinear",
+    model: ModelLike = "nonlinear",
     v0: float = 0.1,
     duration: float = 5.0,
 ) -> Case:
@@ -50,7 +51,7 @@ def resolve(
         raise unknown("objective", objective, OBJECTIVES, "place_gear")
     if tail_wheel not in ("locked", "free"):
         raise unknown("tail_wheel", tail_wheel, ("locked", "free"), "place_gear")
-    signature(tire)
+    as_model(model)
     today = _today(plane)
     axes = envelope.axes(plane)
     if layout is None:
@@ -76,7 +77,7 @@ def resolve(
         bounds=_complete(bounds, objective),
         today=_with_nose(today, layout, chosen),
         numbers=_numbers(plane, envelope, axes, bounds, stiffness, today["kappa"] > 0),
-        tire=tire,
+        model=model,
         v0=positive("v0", v0, "m/s"),
         duration=positive("t", duration, "s"),
     )
@@ -206,7 +207,7 @@ def _numbers(
     """Fixed numbers of the aircraft by symbol."""
     functions = (*_NEEDED, f"placement_{stiffness}")
     wanted = [s for name in functions for s in generated.build(name).name_in()]
-    wanted += signature("nonlinear").parameters
+    wanted += as_model("nonlinear").parameters
     own = {} if envelope.lift else {"u_lift": _NO_LIFT}
     own |= _references(plane, axes, has_tail_wheel) if stiffness == "constant" else {}
     if stiffness == "following":
@@ -219,7 +220,7 @@ def _numbers(
         if s in _NOT_FIXED:
             continue
         # only the height, and the tire of the simulated run, may be unknown
-        optional = (s == "h_cg" and not needs_height) or s in signature("nonlinear").parameters
+        optional = (s == "h_cg" and not needs_height) or s in as_model("nonlinear").parameters
         if s in own:
             found[s] = own[s]
         elif s in plane or not optional:

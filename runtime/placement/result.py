@@ -121,7 +121,7 @@ class Placement(Pictured):
 
     def _run(self, design: Mapping[str, float]) -> Trajectory:
         plane = self.case.aircraft(design, self.worst.corner)
-        return simulate(plane, self.case.tire, v0=self.case.v0, t=self.case.duration)
+        return simulate(plane, self.case.model, v0=self.case.v0, t=self.case.duration)
 
     def pareto(
         self, against: str = "nose_over", points: int = 13, progress: Progress = None

@@ -75,8 +75,8 @@ def contact(
     speed = np.hypot(Vx, Vy)
     fade = speed / (speed**4 + width**4) ** 0.25
     ahead = max(abs(Vx), 1e-9)
-    tire = wheel["side"]
-    mu = friction(tire, load) if isinstance(tire, Mapping) else wheel["mu_static"]
+    model = wheel["side"]
+    mu = friction(model, load) if isinstance(model, Mapping) else wheel["mu_static"]
     lengthwise = wheel["mu_roll"] + brake * (mu - wheel["mu_roll"])
     sideways = side(wheel)(Vy, ahead, load) * fade
     if aircraft.get("combine", "box") == "box":

@@ -38,7 +38,7 @@ def load(name: str) -> ca.Function:
     StaleError
         If the C code does not belong to these equations.
     """
-    return pack_of(name).load(name)
+    return pack_of(name).compiled(name)
 
 
 def build(name: str) -> ca.Function:

@@ -132,9 +132,9 @@ class Pack:
         """Folder of the C files."""
         return self.folder / "c"
 
-    def load(self, name: str) -> ca.Function:
+    def compiled(self, name: str) -> ca.Function:
         """A function of the pack, compiled if there is a C compiler."""
-        return _load(self, name)
+        return _compiled(self, name)
 
     def build(self, name: str) -> ca.Function:
         """The function in CasADi's virtual machine, from its Python source."""
@@ -153,7 +153,7 @@ class Pack:
 
 
 @cache
-def _load(pack: Pack, name: str) -> ca.Function:
+def _compiled(pack: Pack, name: str) -> ca.Function:
     c_file = pack.functions[name][2]
     if not c_file:
         return pack.build(name)
