@@ -21,14 +21,14 @@ from .listing import Listed
 from .models import ModelLike, as_model
 from .names import FUNCTIONS, MODELS, QUANTITIES, symbol
 
-#: What nothing follows from, but limits of the CG and of the gear are set by.
-_APART = ("x_forward", "x_aft", "h_cg", "u_lift")
+#: What nothing follows from, but limits of the CG, of the gear and of the tires are set by.
+_APART = ("x_forward", "x_aft", "h_cg", "u_lift", "Fz_low", "Fz_high", "alpha_high")
 #: What follows from others where it is not given.
 FOLLOWS = frozenset(
     name.removesuffix("_follows") for name in FUNCTIONS if name.endswith("_follows")
 )
 #: Endings of the functions by which it does: the first that gives a number counts.
-_WAYS = ("_follows_with_nose_wheel", "_follows")
+_WAYS = ("_follows_with_nose_wheel", "_follows", "_follows_from_size")
 
 
 @cache
@@ -306,18 +306,21 @@ class Aircraft(Listed):
         label = _label(key)
         if key not in FOLLOWS:
             raise NotGivenError(f"aircraft {self.name}: {label} is not given", key)
+        missing, is_known = None, False
         for way in _ways(key):
             try:
                 arguments = {s: self._resolve(s) for s in build(way).name_in()}
             except NotGivenError as problem:
-                if way != f"{key}_follows":
-                    continue
-                message = f"{problem}, and {label} follows from it"
-                raise NotGivenError(message, problem.symbol) from None
-            value = elementwise(way, arguments)[key]
+                if way == f"{key}_follows":
+                    missing = problem
+                continue
+            value, is_known = elementwise(way, arguments)[key], True
             yield way, value
             if not np.isnan(value).any():
                 return
+        if missing and not is_known:
+            message = f"{missing}, and {label} follows from it"
+            raise NotGivenError(message, missing.symbol) from None
 
     def __iter__(self) -> Iterator[str]:
         """Symbols of the parameters that have a value."""

@@ -19,6 +19,7 @@ from .aircraft import Aircraft, Source
 from .consistency import contradictions
 from .errors import GroundrollError, unknown
 from .names import QUANTITIES
+from .tire_size import friction_on
 
 #: A name in a file, after those of the tables that it is in.
 Place: TypeAlias = tuple[str, ...]
@@ -102,7 +103,7 @@ def locate(name: str | Path) -> Path:
 
 
 def _aircraft(path: Path, data: dict[str, Any], lines: Mapping[Place, int]) -> Aircraft:
-    from .aircraft_schema import entries, validate
+    from .aircraft_schema import entries, implied, surface, validate
 
     file, wrong = validate(data, path)
     given: dict[str, Any] = {}
@@ -114,6 +115,11 @@ def _aircraft(path: Path, data: dict[str, Any], lines: Mapping[Place, int]) -> A
             again = f"{QUANTITIES[s].name} a second time"
             wrong.append((place, again, f"it once: it is in {'.'.join(places[s])} too"))
         given[s], sources[s], places[s] = value, source, place
+    for place, s, value, source in implied(file):
+        if s not in given:
+            given[s], sources[s], places[s] = value, source, place
+    if on := surface(file):
+        _scale_friction(given, sources, on)
     title = file.title or path.stem
     plane = Aircraft(path.stem, given, title, file.description, sources, file.source)
     for problem in contradictions(plane):
@@ -123,6 +129,16 @@ def _aircraft(path: Path, data: dict[str, Any], lines: Mapping[Place, int]) -> A
         mistakes = [Mistake(".".join(p), _line(p, lines), *words) for p, *words in wrong]
         raise AircraftFileError(path, sorted(mistakes, key=lambda m: m.line or math.inf))
     return plane
+
+
+def _scale_friction(given: dict[str, Any], sources: dict[str, Source], surface: str) -> None:
+    """Turn the friction of a dry runway into that of another surface."""
+    factor, text = friction_on(surface)
+    for s in ("B5", "C5"):
+        if s in given and surface != "dry":
+            given[s] *= factor
+            words = f"{sources[s].text}; times {factor:.3g} on {text}"
+            sources[s] = Source(words.removeprefix("; "), estimate=True)
 
 
 def _line(place: Place, lines: Mapping[Place, int]) -> int | None:

@@ -7,7 +7,7 @@ is to put them into words. Whether the data agree is for `consistency`, file or 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from functools import cache, reduce
 from operator import getitem
@@ -22,6 +22,7 @@ from .aircraft import Source, parameter_symbols
 from .aircraft_file import Place, packaged_files
 from .errors import GroundrollError, UnexpectedError
 from .names import QUANTITIES
+from .tire_size import Implied, friction_on, of_main_tires, of_tail_tire
 from .units import expected, to_si
 
 T = TypeVar("T")
@@ -60,21 +61,38 @@ def _number(unit: str, sign: str) -> type[Entry[float]]:
     return Entry[Annotated[FiniteFloat, BeforeValidator(si), _SIGNS[sign][0]]]
 
 
-def _fitted(value: Any, info: pydantic.ValidationInfo) -> Mapping[str, float]:
+def _fitted(value: Any, info: pydantic.ValidationInfo) -> tuple[Implied, ...]:
     """Tire parameters fitted to a table beside the aircraft file, or to a packaged one."""
     from .tire_fit import fit_tire
 
     path, packaged = Path(str(info.context)), packaged_files(".csv")
     beside = path.parent / str(value)
-    table = beside if beside.is_file() else packaged.get(str(value).removesuffix(".csv"))
-    if not isinstance(value, str) or table is None:
+    file = beside if beside.is_file() else packaged.get(str(value).removesuffix(".csv"))
+    if not isinstance(value, str) or file is None:
         wanted = f"a CSV file beside {path.name}, or a packaged one: {', '.join(packaged)}"
         raise UnexpectedError("table", repr(value), wanted)
     try:
-        return fit_tire(table).parameters
+        parameters = fit_tire(file).parameters
+        return tuple(Implied(s, x, f"fitted to {value}") for s, x in parameters.items())
     except GroundrollError as problem:
         found = f"{value!r}: {problem}"
         raise UnexpectedError("table", found, "a table that can be fitted") from None
+
+
+def _sized(of: Callable[[str], Iterable[Implied]]) -> Callable[[Any], tuple[Implied, ...]]:
+    """What the size of a tire says."""
+
+    def implied(value: Any) -> tuple[Implied, ...]:
+        if not isinstance(value, str):
+            raise UnexpectedError("size", repr(value), "a size in quotes, such as '6.00-6'")
+        return tuple(of(value))
+
+    return implied
+
+
+def _surface(value: Any) -> str:
+    friction_on(value if isinstance(value, str) else repr(value))
+    return str(value)
 
 
 def _group(content: Any) -> Any:
@@ -95,10 +113,41 @@ class Table(_Quantities):  # type: ignore[misc]
     __pydantic_extra__: dict[str, Annotated[Table, BeforeValidator(_group)]]
 
 
-class Tires(Table):
-    """The main tires, which measured forces in a CSV file may describe."""
+_Implied = tuple[Implied, ...]
+_Pressure: Any = _number("N/m^2", ">0")
 
-    table: Entry[Annotated[Mapping[str, float], PlainValidator(_fitted)]] | None = None
+
+class Tires(Table):
+    """The main tires, which measured forces in a CSV file may describe, or size and pressure."""
+
+    table: Entry[Annotated[_Implied, PlainValidator(_fitted)]] | None = None
+    size: Entry[Annotated[_Implied, PlainValidator(_sized(of_main_tires))]] | None = None
+    pressure: _Pressure | None = None
+    rated_pressure: _Pressure | None = None
+
+
+class TailWheel(Table):
+    """The tail wheel, which the size and the pressure of its tire may describe."""
+
+    size: Entry[Annotated[_Implied, PlainValidator(_sized(of_tail_tire))]] | None = None
+    pressure: _Pressure | None = None
+
+
+class Runway(Table):
+    """The runway, whose surface scales the friction of the main tires."""
+
+    surface: Entry[Annotated[str, PlainValidator(_surface)]] | None = None
+
+
+#: The tables that know more than quantities.
+_TABLES = {"main_tires": Tires, "tail_wheel": TailWheel, "runway": Runway}
+
+#: Quantities that have another name where it is plain what they are of.
+_SHORT = {
+    ("main_tires", "pressure"): "p_tire",
+    ("main_tires", "rated_pressure"): "p_rated",
+    ("tail_wheel", "pressure"): "p_tail",
+}
 
 
 class File(Table):
@@ -108,6 +157,8 @@ class File(Table):
     description: str = ""
     source: str = ""
     main_tires: Tires | None = None
+    tail_wheel: TailWheel | None = None
+    runway: Runway | None = None
 
 
 def validate(data: dict[str, Any], path: Path) -> tuple[File, list[tuple[Place, str, str]]]:
@@ -144,15 +195,32 @@ def entries(
         here = (*place, name)
         if isinstance(content, Table):
             yield from entries(content, data[name], here)
-        elif isinstance(content, Entry):
-            written = _written(data[name], "value")
-            if q := _KNOWN.get(name):
-                source = Source(content.source, content.estimate, str(written).strip())
-                yield here, q.symbol, content.value, source
-            else:
-                text = "; ".join(filter(None, (f"fitted to {written}", content.source)))
-                for symbol, value in content.value.items():
-                    yield here, symbol, value, Source(text, content.estimate)
+        elif isinstance(content, Entry) and (q := _quantity(here)):
+            written = str(_written(data[name], "value")).strip()
+            yield here, q.symbol, content.value, Source(content.source, content.estimate, written)
+        elif isinstance(content, Entry) and name == "table":
+            for each in content.value:
+                text = "; ".join(filter(None, (each.text, content.source)))
+                yield here, each.symbol, each.value, Source(text, content.estimate)
+
+
+def implied(file: File) -> Iterator[tuple[Place, str, float, Source]]:
+    """The same of what sizes of tires say, which holds where nothing else is said."""
+    for name, table in (("main_tires", file.main_tires), ("tail_wheel", file.tail_wheel)):
+        if table is not None and table.size is not None:
+            for each in table.size.value:
+                yield (name, "size"), each.symbol, each.value, Source(each.text, estimate=True)
+
+
+def surface(file: File) -> str:
+    """The surface of the runway, empty if none is named."""
+    entry = file.runway and file.runway.surface
+    return entry.value if entry else ""
+
+
+def _quantity(place: Place) -> Any:
+    """The quantity of that name in that table, if it is one."""
+    return QUANTITIES[_SHORT[place]] if place in _SHORT else _KNOWN.get(place[-1])
 
 
 def _written(entry: Any, field: str) -> Any:
@@ -172,8 +240,8 @@ def _mistake(error: ErrorDetails, data: Any) -> tuple[Place, str, str]:
         return tuple(entry), error["ctx"]["error"].found, error["ctx"]["error"].expected
     found = repr(_written(reduce(getitem, entry, data), field))
     near = get_close_matches(field, Entry.model_fields, n=1) or Entry.model_fields
-    q = _KNOWN.get(entry[-1])
-    wanted = expected(q.unit) if q else "a file name, such as 'tire.csv'"
+    q = _quantity(tuple(entry))
+    wanted = expected(q.unit) if q else "a text"
     possible = _SIGNS[q.sign][1] if q else error["msg"]
     words = {
         "extra_forbidden": (f"an unknown field {field!r}", ", ".join(near)),
@@ -187,8 +255,8 @@ def _mistake(error: ErrorDetails, data: Any) -> tuple[Place, str, str]:
 
 def _nearest(place: Place) -> str:
     """The keys most like one that is unknown."""
-    known = File.model_fields if len(place) == 1 else Table.model_fields
-    near = get_close_matches(place[-1], known, n=3, cutoff=0.6)
+    table = File if len(place) == 1 else _TABLES.get(place[0], Table)
+    near = get_close_matches(place[-1], table.model_fields, n=3, cutoff=0.6)
     if place[-1] == "table":
         near = ["main_tires.table"]
     return " or ".join(near) or "one of those that `groundroll new` writes"

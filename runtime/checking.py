@@ -46,7 +46,7 @@ class Known:
     follows_from : tuple of str
         Symbols of what it follows from; empty if it is given.
     source : Source
-        Where it comes from if it is given.
+        Where it comes from if it is given; an estimate also if it follows from one.
     """
 
     symbol: str
@@ -83,8 +83,8 @@ class Check:
 
     @property
     def estimates(self) -> tuple[str, ...]:
-        """Names of the quantities that are estimates."""
-        return tuple(k.name for k in self.known if k.source.estimate)
+        """Names of the given quantities that are estimates; others may follow from them."""
+        return tuple(k.name for k in self.known if k.source.estimate and not k.follows_from)
 
     def __repr__(self) -> str:
         lines = [f"Check of {self.aircraft.name!r}: {len(self.known)} quantities known"]
@@ -127,7 +127,15 @@ def _parameters(plane: Aircraft) -> Iterator[Known]:
         if s in plane.given:
             yield Known(s, q.name, q.unit, plane[s], source=plane.sources.get(s, Source()))
         else:
-            yield Known(s, q.name, q.unit, plane[s], plane.follows_from(s))
+            source = Source(estimate=_is_estimate(plane, s))
+            yield Known(s, q.name, q.unit, plane[s], plane.follows_from(s), source)
+
+
+def _is_estimate(plane: Aircraft, s: str) -> bool:
+    """Whether a value is an estimate, or follows from one."""
+    if s in plane.given:
+        return plane.sources.get(s, Source()).estimate
+    return any(_is_estimate(plane, origin) for origin in plane.follows_from(s))
 
 
 def _limits(plane: Aircraft) -> Iterator[Known]:
@@ -168,8 +176,9 @@ def _missing(plane: Aircraft, model: ModelLike) -> Iterator[str]:
 def _table_wanted(plane: Aircraft) -> Iterator[str]:
     if not any(s in plane for s in ("B1", "B3", "B5", "C_alpha")):
         yield (
-            "all of the main tires follows from measured side forces: a CSV file beside the"
-            ' aircraft\'s, or the packaged one, table = "goodyear-6.00-6.csv" in [main_tires]'
+            "all of the main tires follows from measured side forces, a CSV file beside the"
+            ' aircraft\'s (table = "mine.csv" in [main_tires]), or as an estimate from size and'
+            ' pressure (size = "6.00-6" and pressure = "42 psi")'
         )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from .aircraft import FOLLOWS, parameter_symbols
 from .names import QUANTITIES
+from .tire_size import surfaces
 
 #: Sections of an aircraft file: what goes in, and what to know about it.
 _SECTIONS = {
@@ -19,13 +20,29 @@ _SECTIONS = {
     "main_tires": (
         ("B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1", "C_alpha"),
         "By measured forces (a CSV file beside this one, or a packaged one such as\n"
-        "goodyear-6.00-6.csv), or by parameters, or, if the linear tire will do, by stiffness.",
+        "goodyear-6.00-6.csv), or by size and pressure, from which the rest follows as an\n"
+        "estimate, or by parameters, or, if the linear tire will do, by stiffness.",
     ),
     "tail_wheel": (
         ("Ct", "K1", "K2", "K3", "K4"),
-        "Stiffness, or the coefficients K of a polynomial from which it follows with the load.",
+        "Stiffness, or the coefficients K of a polynomial from which it follows with the load,\n"
+        "or size and pressure of its tire, from which it follows as an estimate.",
     ),
-    "runway": (("u", "u_lift", "rho", "g"), ""),
+    "runway": (("u", "u_lift", "rho", "g"), "Tires are those of a dry runway if none is named."),
+}
+
+#: What is no quantity, or has a shorter name: value and meaning.
+_WORDS = {
+    "main_tires": (
+        ("table", "?.csv", "measured forces"),
+        ("size", "?", "such as 6.00-6, 8.00x4, 15x6.00-6, 380x150-5"),
+        ("pressure", "? psi", "pressure in them"),
+    ),
+    "tail_wheel": (
+        ("size", "?", "such as 2.80/2.50-4"),
+        ("pressure", "? psi", "pressure in its tire"),
+    ),
+    "runway": (("surface", "?", f"one of {', '.join(surfaces())}"),),
 }
 
 #: What is the same for most, so that it stands there already.
@@ -33,6 +50,9 @@ _STANDARD = {
     "rho": ("1.225 kg/m^3", "ISO 2533, sea level"),
     "g": ("9.80665 m/s^2", "standard gravity"),
 }
+
+#: What stands there by another name, or comes with the size of a tire.
+_OTHER_NAMES = frozenset(("p_tire", "p_tail", "C_z", "C_N"))
 
 _REST = "follows"
 _REST_TEXT = "What follows from the rest. Give it only if the rest is not known, or to override it."
@@ -64,7 +84,7 @@ def template(name: str, file: str) -> str:
         Name of the file, for its instructions.
     """
     placed = {s for symbols, _ in _SECTIONS.values() for s in symbols}
-    rest = [s for s in parameter_symbols() if s not in placed]
+    rest = [s for s in parameter_symbols() if s not in placed and s not in _OTHER_NAMES]
     parts = [_HEAD.format(name=name, file=file)]
     parts += [_section(title, symbols, text) for title, (symbols, text) in _SECTIONS.items()]
     return "\n".join([*parts, _section(_REST, rest, _REST_TEXT)])
@@ -72,8 +92,7 @@ def template(name: str, file: str) -> str:
 
 def _section(title: str, symbols: Iterable[str], text: str) -> str:
     lines = [f"[{title}]", *(f"# {line}" for line in text.splitlines())]
-    if title == "main_tires":
-        lines.append(_line("table", "?.csv", "", "measured forces"))
+    lines += [_line(key, value, "", text) for key, value, text in _WORDS.get(title, ())]
     for s in filter(parameter_symbols().__contains__, symbols):
         q = QUANTITIES[s]
         if s in _STANDARD:

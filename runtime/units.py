@@ -117,7 +117,8 @@ def expected(unit: str) -> str:
     """What to write for a quantity, e.g. ``"a speed, such as '1.5 m/s'"``."""
     if unit == "1":
         return "a pure number, such as 1.5"
-    return f"{_KINDS.get(unit, f'a number in {unit}')}, such as '1.5 {unit}'"
+    example = "42 psi" if unit == "N/m^2" else f"1.5 {unit}"
+    return f"{_KINDS.get(unit, f'a number in {unit}')}, such as '{example}'"
 
 
 def _pieces(text: str) -> list[str]:

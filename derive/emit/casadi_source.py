@@ -242,12 +242,13 @@ def _with_temporaries(chain: Chain) -> Iterator[_Line]:
 def _split_trivial(
     repeated: Sequence[tuple[sp.Symbol, sp.Expr]],
 ) -> tuple[dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr]]:
-    """Temporaries worth a name, and those (1/u, B1**2) that read better where they stand."""
+    """Temporaries worth a name, and those (1/u, B1**2, conditions) that read better in place."""
     kept: dict[sp.Symbol, sp.Expr] = {}
     trivial: dict[sp.Symbol, sp.Expr] = {}
     for symbol, expr in repeated:
         definition = expr.xreplace(trivial)
-        (kept if definition.count_ops() > 1 else trivial)[symbol] = definition
+        is_worth_it = definition.count_ops() > 1 and not definition.is_Relational
+        (kept if is_worth_it else trivial)[symbol] = definition
     return kept, trivial
 
 

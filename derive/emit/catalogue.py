@@ -16,9 +16,9 @@ from groundroll.derive.core.quantity import Quantity
 from groundroll.derive.models.linear import linear
 from groundroll.derive.models.nonlinear import nonlinear
 from groundroll.derive.parts import tires
-from groundroll.derive.parts.quantities import B1, C1, D1, E1, PARAMETERS, Fz
+from groundroll.derive.parts.quantities import B1, C1, D1, E1, PARAMETERS, Fz, d_tire, w_tire
 from groundroll.derive.parts.thesis import alpha
-from groundroll.derive.theory import kick, loads, placement, stability_sections
+from groundroll.derive.theory import kick, loads, placement, stability_sections, tire_size
 
 from .casadi_source import Argument, CasadiPrinter, FunctionSpec, Result, cancel_tangents
 from .equilibrium_functions import equilibrium_module
@@ -134,6 +134,8 @@ def _aircraft() -> Pack:
         sections=(
             Section("Loads and stiffnesses", loads.static_loads()),
             Section("Loads with a nose wheel", loads.nose_wheel_loads(), _NOSE_WHEEL),
+            Section("A main tire from its size and pressure", tire_size.main_tire(), _SIZE),
+            Section("A tail wheel's tire from its size and pressure", tire_size.tail_tire()),
             Section("A kick", kick.kick(), _KICK),
             *(Section(*section) for section in placement.sections()),
         ),
@@ -210,6 +212,8 @@ def loads_module() -> Module:
     functions = (
         *_following(loads.static_loads(), "follows", PARAMETERS),
         *_following(loads.nose_wheel_loads(), "follows_with_nose_wheel", PARAMETERS),
+        *_following(tire_size.main_tire(), "follows", PARAMETERS),
+        *_following(tire_size.tail_tire(), "follows_from_size", PARAMETERS),
     )
     return Module("loads", "What follows from CG and gear positions.", functions)
 
@@ -244,6 +248,27 @@ def _tire_module() -> Module:
                 (alpha, *ordered(force)),
                 (F_y, alpha_bar, F_bar, C_c, mu),
                 force,
+            ),
+            scalar_function(
+                "tire_slope",
+                "Slope of the lateral force of one tire at no slip angle.",
+                ordered(needed(tires.slope_at_zero(), [tires.F_slope])),
+                (tires.F_slope,),
+                tires.slope_at_zero(),
+            ),
+            scalar_function(
+                "magic_formula_of_shape",
+                "Factors with which the normalised curve has the slope 1 and levels off at 1.",
+                (C1,),
+                (B1, D1),
+                tires.magic_formula_of_shape(),
+            ),
+            scalar_function(
+                "outside_diameter",
+                "Outside diameter of a tire from its width and its rim.",
+                (tire_size.d_rim, w_tire),
+                (d_tire,),
+                tire_size.outside_diameter(),
             ),
             scalar_function(
                 "magic_formula",
@@ -332,5 +357,9 @@ def _kick_module() -> Module:
 _NOSE_WHEEL = (
     "What is otherwise with the main gear behind the CG: the nose wheel carries what it leaves."
     " Where this is NaN, the equations above hold."
+)
+_SIZE = (
+    "Smiley and Horne, NASA TR R-64 (1960), from memory: estimates for an aircraft whose tires"
+    " nobody has measured."
 )
 _KICK = "A side impulse changes the motion before any tire can answer."

@@ -68,6 +68,95 @@ C1 = Parameter("C1", "magic_formula_C", "1", "magic formula: shape factor", "C_1
 D1 = Parameter("D1", "magic_formula_D", "1", "magic formula: peak factor", "D_1")
 E1 = Parameter("E1", "magic_formula_E", "1", "magic formula: curvature factor", "E_1")
 
+# --- Tires by size and pressure (NASA TR R-64) --------------------------------------------------
+d_tire = Parameter(
+    "d_tire", "tire_diameter", "m", "outside diameter of a main tire", r"d_{\mathrm{tire}}", ">0"
+)
+w_tire = Parameter("w_tire", "tire_width", "m", "width of a main tire", r"w_{\mathrm{tire}}", ">0")
+p_tire = Parameter(
+    "p_tire", "tire_pressure", "N/m^2", "pressure in a main tire", r"p_{\mathrm{tire}}", ">0"
+)
+p_rated = Parameter(
+    "p_rated",
+    "rated_tire_pressure",
+    "N/m^2",
+    "pressure at which the rated load of a main tire is given",
+    r"p_{\mathrm{rated}}",
+    ">0",
+)
+C_z = Parameter(
+    "C_z", "tire_load_constant", "1", "of the type of the tires, in NASA TR R-64", "C_z", ">0"
+)
+C_N = Parameter(
+    "C_N",
+    "tire_cornering_constant",
+    "1/rad",
+    "of the type of the tires, in NASA TR R-64",
+    "C_N",
+    ">0",
+)
+d_tail = Parameter(
+    "d_tail",
+    "tail_tire_diameter",
+    "m",
+    "outside diameter of the tail wheel's tire",
+    r"d_{\mathrm{tail}}",
+    ">0",
+)
+w_tail = Parameter(
+    "w_tail", "tail_tire_width", "m", "width of the tail wheel's tire", r"w_{\mathrm{tail}}", ">0"
+)
+p_tail = Parameter(
+    "p_tail",
+    "tail_tire_pressure",
+    "N/m^2",
+    "pressure in the tail wheel's tire",
+    r"p_{\mathrm{tail}}",
+    ">0",
+)
+delta_tire = Parameter(
+    "delta_tire",
+    "tire_deflection",
+    "m",
+    "static deflection of a main tire",
+    r"\delta_{\mathrm{tire}}",
+    ">0",
+)
+sigma = Parameter(
+    "sigma",
+    "relaxation_length",
+    "m",
+    "distance in which the side force of a main tire builds up",
+    r"\sigma",
+    ">0",
+)
+
+# --- What the main tires were measured at -------------------------------------------------------
+Fz_low = Parameter(
+    "Fz_low",
+    "lowest_measured_load",
+    "N",
+    "lowest load at which a main tire was measured",
+    "F_{z1}",
+    ">0",
+)
+Fz_high = Parameter(
+    "Fz_high",
+    "highest_measured_load",
+    "N",
+    "highest load at which a main tire was measured",
+    "F_{z2}",
+    ">0",
+)
+alpha_high = Parameter(
+    "alpha_high",
+    "largest_measured_slip_angle",
+    "rad",
+    "largest slip angle at which a main tire was measured",
+    r"\alpha_2",
+    ">0",
+)
+
 # --- Stations along the fuselage, positive aft of the datum (Section 4.2.2) -------------------
 x_cg = Parameter("x_cg", "cg_station", "m", "the CG behind the datum", r"x_{\mathrm{CG}}")
 x_main = Parameter(
@@ -123,4 +212,6 @@ PARAMETERS = (
     *(x_cg, x_main, x_tail, x_forward, x_aft),
     *(g, L, f, F_tail_load, K1, K2, K3, K4),
     *(h_cg, x_nose, u_lift),
+    *(d_tire, w_tire, p_tire, p_rated, C_z, C_N, delta_tire, sigma),
+    *(d_tail, w_tail, p_tail, Fz_low, Fz_high, alpha_high),
 )

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from groundroll.derive.core.equation import Chain, Equation
+from groundroll.derive.core.equation import Chain, Equation, expand
 from groundroll.derive.core.quantity import Quantity
 
 from .quantities import B1, B3, B5, C1, C3, C5, D1, E1, C_alpha, Fz
@@ -22,6 +22,9 @@ theta_bar = Quantity(
 )
 F_bar = Quantity("F_bar", "normalised_force", "1", "normalised lateral force", r"\bar{F}_y")
 F_peak = Quantity("F_peak", "peak_force", "N", "largest lateral force at a load", r"F_{y\,\max}")
+F_slope = Quantity(
+    "F_slope", "tire_slope", "N/rad", "slope of the lateral force of one tire at no slip angle"
+)
 F_y = Quantity(
     "F_y", "tire_force", "N", "lateral force of one tire, to the left for a positive slip angle"
 )
@@ -80,3 +83,19 @@ def nonlinear_tire(slip_angle: Quantity) -> Chain:
         *magic_formula(),
         Equation(F_y, F_bar * mu * Fz, "Eq. 3.11"),
     )
+
+
+def slope_at_zero() -> Chain:
+    """What the linear tire would have to be to agree with the non-linear one at small angles."""
+    angle = Quantity("alpha", "slip_angle", "rad", "slip angle of a tire", r"\alpha")
+    at_load = tuple(e for e in nonlinear_tire(angle) if e.lhs not in (C_c, mu))
+    slope = expand(F_y, at_load).diff(angle).subs(angle, 0)
+    return (*load_dependence(), Equation(F_slope, sp.simplify(slope), "derivative of Eq. 3.11"))
+
+
+def magic_formula_of_shape() -> Chain:
+    """B and D for which the normalised curve has the slope 1 at zero and, for C from 1 on, peaks
+    at 1: then C_c is the slope of the tire and mu its friction, and C and E are its shape."""
+    slope = expand(F_bar, magic_formula()).diff(alpha_bar).subs(alpha_bar, 0)
+    (unit_slope,) = sp.solve(sp.simplify(slope) - 1, B1)
+    return (Equation(D1, sp.Integer(1), "peak"), Equation(B1, unit_slope, "slope"))

@@ -90,6 +90,8 @@ def _sheet(plane: Aircraft) -> dict[str, str]:
         units |= {"N": "lbf", "N/rad": "lbf/deg"}
     if "x_cg" in plane.given:
         units["m"] = as_written(plane, "x_cg")[1]
+    if "p_tire" in plane.given:
+        units["N/m^2"] = as_written(plane, "p_tire")[1]
     return units
 
 
