@@ -139,6 +139,13 @@ class Runway(Table):
     surface: Entry[Annotated[str, PlainValidator(_surface)]] | None = None
 
 
+#: What to write for an entry that is no number.
+_EXAMPLES = {
+    "table": "a file name, such as 'tire.csv'",
+    "size": "a size, such as '6.00-6'",
+    "surface": "a surface, such as 'wet'",
+}
+
 #: The tables that know more than quantities.
 _TABLES = {"main_tires": Tires, "tail_wheel": TailWheel, "runway": Runway}
 
@@ -241,7 +248,7 @@ def _mistake(error: ErrorDetails, data: Any) -> tuple[Place, str, str]:
     found = repr(_written(reduce(getitem, entry, data), field))
     near = get_close_matches(field, Entry.model_fields, n=1) or Entry.model_fields
     q = _quantity(tuple(entry))
-    wanted = expected(q.unit) if q else "a text"
+    wanted = expected(q.unit) if q else _EXAMPLES.get(entry[-1], "a text")
     possible = _SIGNS[q.sign][1] if q else error["msg"]
     words = {
         "extra_forbidden": (f"an unknown field {field!r}", ", ".join(near)),

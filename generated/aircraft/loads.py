@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 4e3da0958760807a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest e5b6e081fb255334) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """What follows from CG and gear positions."""
 
 from functools import cache
@@ -292,4 +292,234 @@ def F_tail_load_follows_with_nose_wheel() -> ca.Function:
         [F_tail_load],
         ["m", "a", "g", "f"],
         ["F_tail_load"],
+    )
+
+
+@cache
+def p_rated_follows() -> ca.Function:
+    """Pressure at which the rated load of a main tire is given (taken to be inflated as rated).
+
+    Inputs
+    ------
+    p_tire : scalar [N/m^2], pressure in a main tire
+
+    Outputs
+    -------
+    p_rated : 1 x 1, pressure at which the rated load of a main tire is given [N/m^2]
+    """
+    p_tire = ca.SX.sym("p_tire")
+    p_rated = p_tire  # taken to be inflated as rated
+    return ca.Function(
+        "p_rated_follows",
+        [p_tire],
+        [p_rated],
+        ["p_tire"],
+        ["p_rated"],
+    )
+
+
+@cache
+def delta_tire_follows() -> ca.Function:
+    """Static deflection of a main tire (NASA TR R-64).
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    d_tire : scalar [m], outside diameter of a main tire
+    w_tire : scalar [m], width of a main tire
+    p_tire : scalar [N/m^2], pressure in a main tire
+    p_rated : scalar [N/m^2], pressure at which the rated load of a main tire is given
+    C_z : scalar [1], of the type of the tires, in NASA TR R-64
+
+    Outputs
+    -------
+    delta_tire : 1 x 1, static deflection of a main tire [m]
+    """
+    Fz = ca.SX.sym("Fz")
+    d_tire = ca.SX.sym("d_tire")
+    w_tire = ca.SX.sym("w_tire")
+    p_tire = ca.SX.sym("p_tire")
+    p_rated = ca.SX.sym("p_rated")
+    C_z = ca.SX.sym("C_z")
+    l_z = ca.sqrt(d_tire)*ca.sqrt(w_tire)  # NASA TR R-64
+    K_z = l_z*w_tire*((2/25)*p_rated + p_tire)  # NASA TR R-64
+    k_z = Fz/K_z  # NASA TR R-64
+    x_z = ca.if_else(k_z <= (28/5)*C_z, C_z*((125/54)*ca.sqrt(576/625 + (108/125)*k_z/C_z) - 20/9), C_z + (5/12)*k_z)  # NASA TR R-64
+    delta_tire = w_tire*x_z  # NASA TR R-64
+    return ca.Function(
+        "delta_tire_follows",
+        [Fz, d_tire, w_tire, p_tire, p_rated, C_z],
+        [delta_tire],
+        ["Fz", "d_tire", "w_tire", "p_tire", "p_rated", "C_z"],
+        ["delta_tire"],
+    )
+
+
+@cache
+def sigma_follows() -> ca.Function:
+    """Distance in which the side force of a main tire builds up (NASA TR R-64).
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    d_tire : scalar [m], outside diameter of a main tire
+    w_tire : scalar [m], width of a main tire
+    p_tire : scalar [N/m^2], pressure in a main tire
+    p_rated : scalar [N/m^2], pressure at which the rated load of a main tire is given
+    C_z : scalar [1], of the type of the tires, in NASA TR R-64
+
+    Outputs
+    -------
+    sigma : 1 x 1, distance in which the side force of a main tire builds up [m]
+    """
+    Fz = ca.SX.sym("Fz")
+    d_tire = ca.SX.sym("d_tire")
+    w_tire = ca.SX.sym("w_tire")
+    p_tire = ca.SX.sym("p_tire")
+    p_rated = ca.SX.sym("p_rated")
+    C_z = ca.SX.sym("C_z")
+    l_z = ca.sqrt(d_tire)*ca.sqrt(w_tire)  # NASA TR R-64
+    K_z = l_z*w_tire*((2/25)*p_rated + p_tire)  # NASA TR R-64
+    k_z = Fz/K_z  # NASA TR R-64
+    x_z = ca.if_else(k_z <= (28/5)*C_z, C_z*((125/54)*ca.sqrt(576/625 + (108/125)*k_z/C_z) - 20/9), C_z + (5/12)*k_z)  # NASA TR R-64
+    e_z = w_tire*x_z/d_tire  # NASA TR R-64
+    l_sigma = ca.if_else(e_z <= 53/1000, 11*e_z, ca.if_else(e_z <= 17/250, -500*e_z**2 + 64*e_z - 2809/2000, 363/400 - 4*e_z))  # NASA TR R-64
+    sigma = l_sigma*w_tire*(14/5 - 4/5*p_tire/p_rated)  # NASA TR R-64
+    return ca.Function(
+        "sigma_follows",
+        [Fz, d_tire, w_tire, p_tire, p_rated, C_z],
+        [sigma],
+        ["Fz", "d_tire", "w_tire", "p_tire", "p_rated", "C_z"],
+        ["sigma"],
+    )
+
+
+@cache
+def C3_follows() -> ca.Function:
+    """Its change with load (tangent to N/F_z).
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    d_tire : scalar [m], outside diameter of a main tire
+    w_tire : scalar [m], width of a main tire
+    p_tire : scalar [N/m^2], pressure in a main tire
+    p_rated : scalar [N/m^2], pressure at which the rated load of a main tire is given
+    C_z : scalar [1], of the type of the tires, in NASA TR R-64
+    C_N : scalar [1/rad], of the type of the tires, in NASA TR R-64
+
+    Outputs
+    -------
+    C3 : 1 x 1, its change with load [1/(rad N)]
+    """
+    Fz = ca.SX.sym("Fz")
+    d_tire = ca.SX.sym("d_tire")
+    w_tire = ca.SX.sym("w_tire")
+    p_tire = ca.SX.sym("p_tire")
+    p_rated = ca.SX.sym("p_rated")
+    C_z = ca.SX.sym("C_z")
+    C_N = ca.SX.sym("C_N")
+    l_z = ca.sqrt(d_tire)*ca.sqrt(w_tire)  # NASA TR R-64
+    K_z = l_z*w_tire*((2/25)*p_rated + p_tire)  # NASA TR R-64
+    k_z = Fz/K_z  # NASA TR R-64
+    w2 = ca.sqrt(576/625 + (108/125)*k_z/C_z)
+    x_z = ca.if_else(k_z <= (28/5)*C_z, C_z*((125/54)*w2 - 20/9), C_z + (5/12)*k_z)  # NASA TR R-64
+    e_z = w_tire*x_z/d_tire  # NASA TR R-64
+    g_N = ca.if_else(e_z <= 7/80, -44/5*e_z**2 + (6/5)*e_z, 539/8000 - 17/50*e_z)  # NASA TR R-64
+    N_scale = C_N*w_tire**2*((11/25)*p_rated + p_tire)  # NASA TR R-64
+    N = N_scale*g_N  # NASA TR R-64
+    N_load = N_scale*w_tire*ca.if_else(k_z <= (28/5)*C_z, 1/w2, 5/12)*ca.if_else(e_z <= 7/80, 6/5 - 88/5*e_z, -17/50)/(K_z*d_tire)  # NASA TR R-64
+    C3 = (N_load - N/Fz)/Fz  # tangent to N/F_z
+    return ca.Function(
+        "C3_follows",
+        [Fz, d_tire, w_tire, p_tire, p_rated, C_z, C_N],
+        [C3],
+        ["Fz", "d_tire", "w_tire", "p_tire", "p_rated", "C_z", "C_N"],
+        ["C3"],
+    )
+
+
+@cache
+def B3_follows() -> ca.Function:
+    """Cornering coefficient at no load (tangent to N/F_z).
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    C3 : scalar [1/(rad N)], its change with load
+    d_tire : scalar [m], outside diameter of a main tire
+    w_tire : scalar [m], width of a main tire
+    p_tire : scalar [N/m^2], pressure in a main tire
+    p_rated : scalar [N/m^2], pressure at which the rated load of a main tire is given
+    C_z : scalar [1], of the type of the tires, in NASA TR R-64
+    C_N : scalar [1/rad], of the type of the tires, in NASA TR R-64
+
+    Outputs
+    -------
+    B3 : 1 x 1, cornering coefficient at no load [1/rad]
+    """
+    Fz = ca.SX.sym("Fz")
+    C3 = ca.SX.sym("C3")
+    d_tire = ca.SX.sym("d_tire")
+    w_tire = ca.SX.sym("w_tire")
+    p_tire = ca.SX.sym("p_tire")
+    p_rated = ca.SX.sym("p_rated")
+    C_z = ca.SX.sym("C_z")
+    C_N = ca.SX.sym("C_N")
+    l_z = ca.sqrt(d_tire)*ca.sqrt(w_tire)  # NASA TR R-64
+    K_z = l_z*w_tire*((2/25)*p_rated + p_tire)  # NASA TR R-64
+    k_z = Fz/K_z  # NASA TR R-64
+    x_z = ca.if_else(k_z <= (28/5)*C_z, C_z*((125/54)*ca.sqrt(576/625 + (108/125)*k_z/C_z) - 20/9), C_z + (5/12)*k_z)  # NASA TR R-64
+    e_z = w_tire*x_z/d_tire  # NASA TR R-64
+    g_N = ca.if_else(e_z <= 7/80, -44/5*e_z**2 + (6/5)*e_z, 539/8000 - 17/50*e_z)  # NASA TR R-64
+    N_scale = C_N*w_tire**2*((11/25)*p_rated + p_tire)  # NASA TR R-64
+    N = N_scale*g_N  # NASA TR R-64
+    B3 = -C3*Fz + N/Fz  # tangent to N/F_z
+    return ca.Function(
+        "B3_follows",
+        [Fz, C3, d_tire, w_tire, p_tire, p_rated, C_z, C_N],
+        [B3],
+        ["Fz", "C3", "d_tire", "w_tire", "p_tire", "p_rated", "C_z", "C_N"],
+        ["B3"],
+    )
+
+
+@cache
+def Ct_follows_from_size() -> ca.Function:
+    """Cornering stiffness of the tail wheel (NASA TR R-64).
+
+    Inputs
+    ------
+    F_tail_load : scalar [N], vertical load on the tail wheel
+    C_z : scalar [1], of the type of the tires, in NASA TR R-64
+    C_N : scalar [1/rad], of the type of the tires, in NASA TR R-64
+    d_tail : scalar [m], outside diameter of the tail wheel's tire
+    w_tail : scalar [m], width of the tail wheel's tire
+    p_tail : scalar [N/m^2], pressure in the tail wheel's tire
+
+    Outputs
+    -------
+    Ct : 1 x 1, cornering stiffness of the tail wheel [N/rad]
+    """
+    F_tail_load = ca.SX.sym("F_tail_load")
+    C_z = ca.SX.sym("C_z")
+    C_N = ca.SX.sym("C_N")
+    d_tail = ca.SX.sym("d_tail")
+    w_tail = ca.SX.sym("w_tail")
+    p_tail = ca.SX.sym("p_tail")
+    l_z = ca.sqrt(d_tail)*ca.sqrt(w_tail)  # NASA TR R-64
+    K_z = (27/25)*l_z*p_tail*w_tail  # NASA TR R-64
+    k_z = F_tail_load/K_z  # NASA TR R-64
+    x_z = ca.if_else(k_z <= (28/5)*C_z, C_z*((125/54)*ca.sqrt(576/625 + (108/125)*k_z/C_z) - 20/9), C_z + (5/12)*k_z)  # NASA TR R-64
+    e_z = w_tail*x_z/d_tail  # NASA TR R-64
+    g_N = ca.if_else(e_z <= 7/80, -44/5*e_z**2 + (6/5)*e_z, 539/8000 - 17/50*e_z)  # NASA TR R-64
+    N_scale = (36/25)*C_N*p_tail*w_tail**2  # NASA TR R-64
+    N = N_scale*g_N  # NASA TR R-64
+    Ct = N  # NASA TR R-64
+    return ca.Function(
+        "Ct_follows_from_size",
+        [F_tail_load, C_z, C_N, d_tail, w_tail, p_tail],
+        [Ct],
+        ["F_tail_load", "C_z", "C_N", "d_tail", "w_tail", "p_tail"],
+        ["Ct"],
     )

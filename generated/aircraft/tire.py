@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 4e3da0958760807a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest e5b6e081fb255334) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """The tire by itself (Chapter 3)."""
 
 from functools import cache
@@ -58,6 +58,94 @@ def tire_force() -> ca.Function:
         [F_y, alpha_bar, F_bar, C_c, mu],
         ["alpha", "Fz", "B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1"],
         ["F_y", "alpha_bar", "F_bar", "C_c", "mu"],
+    )
+
+
+@cache
+def tire_slope() -> ca.Function:
+    """Slope of the lateral force of one tire at no slip angle.
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    B3 : scalar [1/rad], cornering coefficient at no load
+    C3 : scalar [1/(rad N)], its change with load
+    B1 : scalar [1], magic formula: stiffness factor
+    C1 : scalar [1], magic formula: shape factor
+    D1 : scalar [1], magic formula: peak factor
+
+    Outputs
+    -------
+    F_slope : 1 x 1, slope of the lateral force of one tire at no slip angle [N/rad]
+
+    Thesis
+    ------
+    Eq. 3.3
+    """
+    Fz = ca.SX.sym("Fz")
+    B3 = ca.SX.sym("B3")
+    C3 = ca.SX.sym("C3")
+    B1 = ca.SX.sym("B1")
+    C1 = ca.SX.sym("C1")
+    D1 = ca.SX.sym("D1")
+    C_c = B3 + C3*Fz  # Eq. 3.3
+    F_slope = B1*C1*C_c*D1*Fz  # derivative of Eq. 3.11
+    return ca.Function(
+        "tire_slope",
+        [Fz, B3, C3, B1, C1, D1],
+        [F_slope],
+        ["Fz", "B3", "C3", "B1", "C1", "D1"],
+        ["F_slope"],
+    )
+
+
+@cache
+def magic_formula_of_shape() -> ca.Function:
+    """Factors with which the normalised curve has the slope 1 and levels off at 1.
+
+    Inputs
+    ------
+    C1 : scalar [1], magic formula: shape factor
+
+    Outputs
+    -------
+    B1 : 1 x 1, magic formula: stiffness factor [1]
+    D1 : 1 x 1, magic formula: peak factor [1]
+    """
+    C1 = ca.SX.sym("C1")
+    D1 = 1  # peak
+    B1 = 1/(C1*D1)  # slope
+    return ca.Function(
+        "magic_formula_of_shape",
+        [C1],
+        [B1, D1],
+        ["C1"],
+        ["B1", "D1"],
+    )
+
+
+@cache
+def outside_diameter() -> ca.Function:
+    """Outside diameter of a tire from its width and its rim.
+
+    Inputs
+    ------
+    d_rim : scalar [m], diameter of the rim
+    w_tire : scalar [m], width of a main tire
+
+    Outputs
+    -------
+    d_tire : 1 x 1, outside diameter of a main tire [m]
+    """
+    d_rim = ca.SX.sym("d_rim")
+    w_tire = ca.SX.sym("w_tire")
+    d_tire = d_rim + (46/25)*w_tire  # two tires of type III
+    return ca.Function(
+        "outside_diameter",
+        [d_rim, w_tire],
+        [d_tire],
+        ["d_rim", "w_tire"],
+        ["d_tire"],
     )
 
 

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 4e3da0958760807a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest e5b6e081fb255334) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -27,7 +27,19 @@
 #define casadi_f13 CASADI_PREFIX(f13)
 #define casadi_f14 CASADI_PREFIX(f14)
 #define casadi_f15 CASADI_PREFIX(f15)
+#define casadi_f16 CASADI_PREFIX(f16)
+#define casadi_f17 CASADI_PREFIX(f17)
+#define casadi_f18 CASADI_PREFIX(f18)
+#define casadi_f19 CASADI_PREFIX(f19)
 #define casadi_f2 CASADI_PREFIX(f2)
+#define casadi_f20 CASADI_PREFIX(f20)
+#define casadi_f21 CASADI_PREFIX(f21)
+#define casadi_f22 CASADI_PREFIX(f22)
+#define casadi_f23 CASADI_PREFIX(f23)
+#define casadi_f24 CASADI_PREFIX(f24)
+#define casadi_f25 CASADI_PREFIX(f25)
+#define casadi_f26 CASADI_PREFIX(f26)
+#define casadi_f27 CASADI_PREFIX(f27)
 #define casadi_f3 CASADI_PREFIX(f3)
 #define casadi_f4 CASADI_PREFIX(f4)
 #define casadi_f5 CASADI_PREFIX(f5)
@@ -1136,8 +1148,1328 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_force_work_bytes(casadi_int *sz_arg, cas
   return 0;
 }
 
-/* magic_formula:(alpha_bar,B1,C1,D1,E1)->(F_bar) */
+/* tire_slope:(Fz,B3,C3,B1,C1,D1)->(F_slope) */
 static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[4]? arg[4][0] : 0;
+  a0=(a0*a1);
+  a1=arg[1]? arg[1][0] : 0;
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[0]? arg[0][0] : 0;
+  a2=(a2*a3);
+  a1=(a1+a2);
+  a0=(a0*a1);
+  a1=arg[5]? arg[5][0] : 0;
+  a0=(a0*a1);
+  a0=(a0*a3);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_slope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f4(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int tire_slope_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void tire_slope_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_slope_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_slope_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_slope_n_in(void) { return 6;}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_slope_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real tire_slope_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_slope_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    case 3: return "B1";
+    case 4: return "C1";
+    case 5: return "D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_slope_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "F_slope";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_slope_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_slope_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int tire_slope_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 6;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_slope_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 6*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_tire_slope:(Fz,B3,C3,B1,C1,D1,out_F_slope[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3,fwd_B1,fwd_C1,fwd_D1)->(fwd_F_slope) */
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=arg[5]? arg[5][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
+  a3=arg[2]? arg[2][0] : 0;
+  a4=(a3*a0);
+  a2=(a2+a4);
+  a4=arg[4]? arg[4][0] : 0;
+  a5=arg[10]? arg[10][0] : 0;
+  a5=(a4*a5);
+  a6=arg[3]? arg[3][0] : 0;
+  a7=arg[11]? arg[11][0] : 0;
+  a7=(a6*a7);
+  a5=(a5+a7);
+  a5=(a2*a5);
+  a6=(a6*a4);
+  a4=arg[8]? arg[8][0] : 0;
+  a7=arg[9]? arg[9][0] : 0;
+  a7=(a0*a7);
+  a8=arg[7]? arg[7][0] : 0;
+  a3=(a3*a8);
+  a7=(a7+a3);
+  a4=(a4+a7);
+  a4=(a6*a4);
+  a5=(a5+a4);
+  a5=(a1*a5);
+  a6=(a6*a2);
+  a2=arg[12]? arg[12][0] : 0;
+  a2=(a6*a2);
+  a5=(a5+a2);
+  a0=(a0*a5);
+  a6=(a6*a1);
+  a6=(a6*a8);
+  a0=(a0+a6);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_slope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f5(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_slope_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_slope_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_slope_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_slope_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_slope_n_in(void) { return 13;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_slope_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_tire_slope_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_slope_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    case 3: return "B1";
+    case 4: return "C1";
+    case 5: return "D1";
+    case 6: return "out_F_slope";
+    case 7: return "fwd_Fz";
+    case 8: return "fwd_B3";
+    case 9: return "fwd_C3";
+    case 10: return "fwd_B1";
+    case 11: return "fwd_C1";
+    case 12: return "fwd_D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_slope_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_F_slope";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_slope_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s1;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_slope_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_slope_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_slope_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_tire_slope:(Fz,B3,C3,B1,C1,D1,out_F_slope[1x1,0nz],adj_F_slope)->(adj_Fz,adj_B3,adj_C3,adj_B1,adj_C1,adj_D1) */
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[4]? arg[4][0] : 0;
+  a2=(a0*a1);
+  a3=arg[1]? arg[1][0] : 0;
+  a4=arg[2]? arg[2][0] : 0;
+  a5=arg[0]? arg[0][0] : 0;
+  a6=(a4*a5);
+  a3=(a3+a6);
+  a6=(a2*a3);
+  a7=arg[5]? arg[5][0] : 0;
+  a8=(a6*a7);
+  a9=arg[7]? arg[7][0] : 0;
+  a8=(a8*a9);
+  a9=(a5*a9);
+  a7=(a7*a9);
+  a2=(a2*a7);
+  a4=(a4*a2);
+  a8=(a8+a4);
+  if (res[0]!=0) res[0][0]=a8;
+  if (res[1]!=0) res[1][0]=a2;
+  a5=(a5*a2);
+  if (res[2]!=0) res[2][0]=a5;
+  a3=(a3*a7);
+  a1=(a1*a3);
+  if (res[3]!=0) res[3][0]=a1;
+  a0=(a0*a3);
+  if (res[4]!=0) res[4][0]=a0;
+  a6=(a6*a9);
+  if (res[5]!=0) res[5][0]=a6;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_slope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f6(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_slope_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_slope_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_slope_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_slope_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_slope_n_in(void) { return 8;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_slope_n_out(void) { return 6;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_tire_slope_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_slope_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    case 3: return "B1";
+    case 4: return "C1";
+    case 5: return "D1";
+    case 6: return "out_F_slope";
+    case 7: return "adj_F_slope";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_slope_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_Fz";
+    case 1: return "adj_B3";
+    case 2: return "adj_C3";
+    case 3: return "adj_B1";
+    case 4: return "adj_C1";
+    case 5: return "adj_D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_slope_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s1;
+    case 7: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_slope_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_slope_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 8;
+  if (sz_res) *sz_res = 6;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_slope_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 8*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 6*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_tire_slope:(Fz,B3,C3,B1,C1,D1,out_F_slope[1x1,0nz],adj_F_slope,out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3,fwd_B1,fwd_C1,fwd_D1,fwd_out_F_slope[1x1,0nz],fwd_adj_F_slope)->(fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1) */
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21;
+  a00=arg[7]? arg[7][0] : 0;
+  a01=arg[5]? arg[5][0] : 0;
+  a02=arg[1]? arg[1][0] : 0;
+  a03=arg[2]? arg[2][0] : 0;
+  a04=arg[0]? arg[0][0] : 0;
+  a05=(a03*a04);
+  a02=(a02+a05);
+  a05=arg[4]? arg[4][0] : 0;
+  a06=arg[17]? arg[17][0] : 0;
+  a07=(a05*a06);
+  a08=arg[3]? arg[3][0] : 0;
+  a09=arg[18]? arg[18][0] : 0;
+  a10=(a08*a09);
+  a07=(a07+a10);
+  a10=(a02*a07);
+  a11=(a08*a05);
+  a12=arg[15]? arg[15][0] : 0;
+  a13=arg[16]? arg[16][0] : 0;
+  a14=(a04*a13);
+  a15=arg[14]? arg[14][0] : 0;
+  a16=(a03*a15);
+  a14=(a14+a16);
+  a12=(a12+a14);
+  a14=(a11*a12);
+  a10=(a10+a14);
+  a14=(a01*a10);
+  a16=(a11*a02);
+  a17=arg[19]? arg[19][0] : 0;
+  a18=(a16*a17);
+  a14=(a14+a18);
+  a14=(a00*a14);
+  a18=(a16*a01);
+  a19=arg[21]? arg[21][0] : 0;
+  a18=(a18*a19);
+  a14=(a14+a18);
+  a18=(a04*a00);
+  a20=(a01*a18);
+  a21=(a11*a20);
+  a13=(a21*a13);
+  a07=(a20*a07);
+  a17=(a18*a17);
+  a00=(a00*a15);
+  a19=(a04*a19);
+  a00=(a00+a19);
+  a01=(a01*a00);
+  a17=(a17+a01);
+  a11=(a11*a17);
+  a07=(a07+a11);
+  a03=(a03*a07);
+  a13=(a13+a03);
+  a14=(a14+a13);
+  if (res[0]!=0) res[0][0]=a14;
+  if (res[1]!=0) res[1][0]=a07;
+  a21=(a21*a15);
+  a04=(a04*a07);
+  a21=(a21+a04);
+  if (res[2]!=0) res[2][0]=a21;
+  a21=(a02*a20);
+  a09=(a21*a09);
+  a20=(a20*a12);
+  a02=(a02*a17);
+  a20=(a20+a02);
+  a05=(a05*a20);
+  a09=(a09+a05);
+  if (res[3]!=0) res[3][0]=a09;
+  a21=(a21*a06);
+  a08=(a08*a20);
+  a21=(a21+a08);
+  if (res[4]!=0) res[4][0]=a21;
+  a18=(a18*a10);
+  a16=(a16*a00);
+  a18=(a18+a16);
+  if (res[5]!=0) res[5][0]=a18;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_slope(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f7(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_slope_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_slope_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_slope_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_slope_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_slope_n_in(void) { return 22;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_slope_n_out(void) { return 6;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_tire_slope_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_slope_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    case 3: return "B1";
+    case 4: return "C1";
+    case 5: return "D1";
+    case 6: return "out_F_slope";
+    case 7: return "adj_F_slope";
+    case 8: return "out_adj_Fz";
+    case 9: return "out_adj_B3";
+    case 10: return "out_adj_C3";
+    case 11: return "out_adj_B1";
+    case 12: return "out_adj_C1";
+    case 13: return "out_adj_D1";
+    case 14: return "fwd_Fz";
+    case 15: return "fwd_B3";
+    case 16: return "fwd_C3";
+    case 17: return "fwd_B1";
+    case 18: return "fwd_C1";
+    case 19: return "fwd_D1";
+    case 20: return "fwd_out_F_slope";
+    case 21: return "fwd_adj_F_slope";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_slope_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_Fz";
+    case 1: return "fwd_adj_B3";
+    case 2: return "fwd_adj_C3";
+    case 3: return "fwd_adj_B1";
+    case 4: return "fwd_adj_C1";
+    case 5: return "fwd_adj_D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_slope_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s1;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s1;
+    case 13: return casadi_s1;
+    case 14: return casadi_s0;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s0;
+    case 18: return casadi_s0;
+    case 19: return casadi_s0;
+    case 20: return casadi_s1;
+    case 21: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_slope_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_slope_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 6;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_slope_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 6*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* magic_formula_of_shape:(C1)->(B1,D1) */
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0;
+  a0=arg[0]? arg[0][0] : 0;
+  a0=(1./a0);
+  if (res[0]!=0) res[0][0]=a0;
+  a0=1.;
+  if (res[1]!=0) res[1][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f8(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula_of_shape_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void magic_formula_of_shape_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void magic_formula_of_shape_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void magic_formula_of_shape_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int magic_formula_of_shape_n_in(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_int magic_formula_of_shape_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real magic_formula_of_shape_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* magic_formula_of_shape_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "C1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* magic_formula_of_shape_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "B1";
+    case 1: return "D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* magic_formula_of_shape_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* magic_formula_of_shape_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula_of_shape_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 1;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int magic_formula_of_shape_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 1*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_magic_formula_of_shape:(C1,out_B1[1x1,0nz],out_D1[1x1,0nz],fwd_C1)->(fwd_B1,fwd_D1) */
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=(1./a0);
+  a1=(a1/a0);
+  a0=arg[3]? arg[3][0] : 0;
+  a1=(a1*a0);
+  a1=(-a1);
+  if (res[0]!=0) res[0][0]=a1;
+  a1=0.;
+  if (res[1]!=0) res[1][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula_of_shape_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_magic_formula_of_shape_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_magic_formula_of_shape_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_magic_formula_of_shape_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_magic_formula_of_shape_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_magic_formula_of_shape_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_magic_formula_of_shape_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_magic_formula_of_shape_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "C1";
+    case 1: return "out_B1";
+    case 2: return "out_D1";
+    case 3: return "fwd_C1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_magic_formula_of_shape_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_B1";
+    case 1: return "fwd_D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_magic_formula_of_shape_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_magic_formula_of_shape_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula_of_shape_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_magic_formula_of_shape_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_magic_formula_of_shape:(C1,out_B1[1x1,0nz],out_D1[1x1,0nz],adj_B1,adj_D1)->(adj_C1) */
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=(1./a0);
+  a1=(a1/a0);
+  a0=arg[3]? arg[3][0] : 0;
+  a1=(a1*a0);
+  a1=(-a1);
+  if (res[0]!=0) res[0][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f10(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula_of_shape_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_magic_formula_of_shape_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_magic_formula_of_shape_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_magic_formula_of_shape_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_magic_formula_of_shape_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_magic_formula_of_shape_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_magic_formula_of_shape_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_magic_formula_of_shape_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "C1";
+    case 1: return "out_B1";
+    case 2: return "out_D1";
+    case 3: return "adj_B1";
+    case 4: return "adj_D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_magic_formula_of_shape_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_C1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_magic_formula_of_shape_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_magic_formula_of_shape_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula_of_shape_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_magic_formula_of_shape_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_magic_formula_of_shape:(C1,out_B1[1x1,0nz],out_D1[1x1,0nz],adj_B1,adj_D1,out_adj_C1[1x1,0nz],fwd_C1,fwd_out_B1[1x1,0nz],fwd_out_D1[1x1,0nz],fwd_adj_B1,fwd_adj_D1)->(fwd_adj_C1) */
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=(1./a0);
+  a2=(a1/a0);
+  a3=arg[9]? arg[9][0] : 0;
+  a3=(a2*a3);
+  a4=arg[3]? arg[3][0] : 0;
+  a1=(a1/a0);
+  a5=arg[6]? arg[6][0] : 0;
+  a1=(a1*a5);
+  a1=(a1/a0);
+  a2=(a2/a0);
+  a2=(a2*a5);
+  a1=(a1+a2);
+  a4=(a4*a1);
+  a3=(a3-a4);
+  a3=(-a3);
+  if (res[0]!=0) res[0][0]=a3;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f11(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_of_shape_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_magic_formula_of_shape_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_magic_formula_of_shape_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_magic_formula_of_shape_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_magic_formula_of_shape_n_in(void) { return 11;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_magic_formula_of_shape_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_magic_formula_of_shape_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_magic_formula_of_shape_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "C1";
+    case 1: return "out_B1";
+    case 2: return "out_D1";
+    case 3: return "adj_B1";
+    case 4: return "adj_D1";
+    case 5: return "out_adj_C1";
+    case 6: return "fwd_C1";
+    case 7: return "fwd_out_B1";
+    case 8: return "fwd_out_D1";
+    case 9: return "fwd_adj_B1";
+    case 10: return "fwd_adj_D1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_magic_formula_of_shape_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_C1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_magic_formula_of_shape_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_magic_formula_of_shape_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_of_shape_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 11;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_of_shape_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 11*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* outside_diameter:(d_rim,w_tire)->(d_tire) */
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=1.8400000000000001e+00;
+  a2=arg[1]? arg[1][0] : 0;
+  a1=(a1*a2);
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f12(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int outside_diameter_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void outside_diameter_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void outside_diameter_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void outside_diameter_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int outside_diameter_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int outside_diameter_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real outside_diameter_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* outside_diameter_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "d_rim";
+    case 1: return "w_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* outside_diameter_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* outside_diameter_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* outside_diameter_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int outside_diameter_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int outside_diameter_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],fwd_d_rim,fwd_w_tire)->(fwd_d_tire) */
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=1.8400000000000001e+00;
+  a2=arg[4]? arg[4][0] : 0;
+  a1=(a1*a2);
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f13(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_outside_diameter_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_outside_diameter_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_outside_diameter_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_outside_diameter_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_outside_diameter_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_outside_diameter_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_outside_diameter_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_outside_diameter_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "d_rim";
+    case 1: return "w_tire";
+    case 2: return "out_d_tire";
+    case 3: return "fwd_d_rim";
+    case 4: return "fwd_w_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_outside_diameter_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_outside_diameter_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_outside_diameter_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_outside_diameter_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_outside_diameter_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],adj_d_tire)->(adj_d_rim,adj_w_tire) */
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[3]? arg[3][0] : 0;
+  if (res[0]!=0) res[0][0]=a0;
+  a1=1.8400000000000001e+00;
+  a1=(a1*a0);
+  if (res[1]!=0) res[1][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f14(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_outside_diameter_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_outside_diameter_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_outside_diameter_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_outside_diameter_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_outside_diameter_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_outside_diameter_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_outside_diameter_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_outside_diameter_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "d_rim";
+    case 1: return "w_tire";
+    case 2: return "out_d_tire";
+    case 3: return "adj_d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_outside_diameter_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_d_rim";
+    case 1: return "adj_w_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_outside_diameter_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_outside_diameter_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_outside_diameter_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_outside_diameter_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],adj_d_tire,out_adj_d_rim[1x1,0nz],out_adj_w_tire[1x1,0nz],fwd_d_rim,fwd_w_tire,fwd_out_d_tire[1x1,0nz],fwd_adj_d_tire)->(fwd_adj_d_rim,fwd_adj_w_tire) */
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[9]? arg[9][0] : 0;
+  if (res[0]!=0) res[0][0]=a0;
+  a1=1.8400000000000001e+00;
+  a1=(a1*a0);
+  if (res[1]!=0) res[1][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_outside_diameter_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_outside_diameter_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_outside_diameter_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_outside_diameter_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_outside_diameter_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_outside_diameter_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_outside_diameter_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "d_rim";
+    case 1: return "w_tire";
+    case 2: return "out_d_tire";
+    case 3: return "adj_d_tire";
+    case 4: return "out_adj_d_rim";
+    case 5: return "out_adj_w_tire";
+    case 6: return "fwd_d_rim";
+    case 7: return "fwd_w_tire";
+    case 8: return "fwd_out_d_tire";
+    case 9: return "fwd_adj_d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_outside_diameter_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_d_rim";
+    case 1: return "fwd_adj_w_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_outside_diameter_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_outside_diameter_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* magic_formula:(alpha_bar,B1,C1,D1,E1)->(F_bar) */
+static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[2]? arg[2][0] : 0;
@@ -1162,7 +2494,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f4(arg, res, iw, w, mem);
+  return casadi_f16(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula_checkout(void) {
@@ -1241,7 +2573,7 @@ CASADI_SYMBOL_EXPORT int magic_formula_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* fwd1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1)->(fwd_F_bar) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18;
   a00=arg[2]? arg[2][0] : 0;
@@ -1302,7 +2634,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f5(arg, res, iw, w, mem);
+  return casadi_f17(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula_checkout(void) {
@@ -1393,7 +2725,7 @@ CASADI_SYMBOL_EXPORT int fwd1_magic_formula_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar)->(adj_alpha_bar,adj_B1,adj_C1,adj_D1,adj_E1) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15;
   a00=arg[1]? arg[1][0] : 0;
@@ -1449,7 +2781,7 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f6(arg, res, iw, w, mem);
+  return casadi_f18(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula_checkout(void) {
@@ -1540,7 +2872,7 @@ CASADI_SYMBOL_EXPORT int adj1_magic_formula_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar,out_adj_alpha_bar[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],out_adj_E1[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1,fwd_out_F_bar[1x1,0nz],fwd_adj_F_bar)->(fwd_adj_alpha_bar,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1,fwd_adj_E1) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -1682,7 +3014,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f7(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_checkout(void) {
@@ -1797,7 +3129,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_work_bytes(casadi_int *sz_arg, 
 }
 
 /* measured_coefficients:(alpha,F_y,F_peak,Fz)->(C_c,mu) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[3]? arg[3][0] : 0;
@@ -1812,7 +3144,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f8(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int measured_coefficients_checkout(void) {
@@ -1891,7 +3223,7 @@ CASADI_SYMBOL_EXPORT int measured_coefficients_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz)->(fwd_C_c,fwd_mu) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[7]? arg[7][0] : 0;
   a1=arg[3]? arg[3][0] : 0;
@@ -1921,7 +3253,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_checkout(void) {
@@ -2012,7 +3344,7 @@ CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_work_bytes(casadi_int *sz_ar
 }
 
 /* adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu)->(adj_alpha,adj_F_y,adj_F_peak,adj_Fz) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -2042,7 +3374,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f10(arg, res, iw, w, mem);
+  return casadi_f22(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_checkout(void) {
@@ -2133,7 +3465,7 @@ CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_work_bytes(casadi_int *sz_ar
 }
 
 /* fwd1_adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_F_peak[1x1,0nz],out_adj_Fz[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz,fwd_out_C_c[1x1,0nz],fwd_out_mu[1x1,0nz],fwd_adj_C_c,fwd_adj_mu)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_F_peak,fwd_adj_Fz) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12;
   a00=arg[1]? arg[1][0] : 0;
@@ -2206,7 +3538,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f11(arg, res, iw, w, mem);
+  return casadi_f23(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_checkout(void) {
@@ -2321,7 +3653,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_work_bytes(casadi_int *
 }
 
 /* normalised_data:(alpha,F_y,Fz,C_c,mu)->(alpha_bar,F_bar) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -2339,7 +3671,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f12(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int normalised_data_checkout(void) {
@@ -2420,7 +3752,7 @@ CASADI_SYMBOL_EXPORT int normalised_data_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* fwd1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu)->(fwd_alpha_bar,fwd_F_bar) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[0]? arg[0][0] : 0;
   a1=tan(a0);
@@ -2460,7 +3792,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_normalised_data_checkout(void) {
@@ -2555,7 +3887,7 @@ CASADI_SYMBOL_EXPORT int fwd1_normalised_data_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar)->(adj_alpha,adj_F_y,adj_Fz,adj_C_c,adj_mu) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[7]? arg[7][0] : 0;
@@ -2594,7 +3926,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f14(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_normalised_data_checkout(void) {
@@ -2689,7 +4021,7 @@ CASADI_SYMBOL_EXPORT int adj1_normalised_data_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_C_c[1x1,0nz],out_adj_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu,fwd_out_alpha_bar[1x1,0nz],fwd_out_F_bar[1x1,0nz],fwd_adj_alpha_bar,fwd_adj_F_bar)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_Fz,fwd_adj_C_c,fwd_adj_mu) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
   a00=arg[7]? arg[7][0] : 0;
@@ -2791,7 +4123,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data_checkout(void) {
