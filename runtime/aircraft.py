@@ -19,10 +19,9 @@ from .evaluate import elementwise
 from .generated import build
 from .listing import Listed
 from .models import ModelLike, as_model
-from .names import FUNCTIONS, MODELS, QUANTITIES, symbol
+from .names import FUNCTIONS, PARAMETERS, symbol
+from .parameters import NotGivenError, parameters_of, stacked
 
-#: What nothing follows from, but limits of the CG, of the gear and of the tires are set by.
-_APART = ("x_forward", "x_aft", "h_cg", "u_lift", "Fz_low", "Fz_high", "alpha_high")
 #: What follows from others where it is not given.
 FOLLOWS = frozenset(
     name.removesuffix("_follows") for name in FUNCTIONS if name.endswith("_follows")
@@ -43,26 +42,8 @@ def _origins(key: str) -> tuple[str, ...]:
 
 @cache
 def parameter_symbols() -> tuple[str, ...]:
-    """What an aircraft may be given: parameters of the models, of what follows, and limits."""
-    wanted = [p for model in MODELS.values() for p in model.parameters]
-    for name in sorted(FOLLOWS):
-        wanted += [name, *(s for way in _ways(name) for s in build(way).name_in())]
-    present = {*wanted, *_APART}
-    return tuple(s for s in QUANTITIES if s in present)
-
-
-class NotGivenError(GroundrollError):
-    """A parameter that is neither given nor follows.
-
-    Attributes
-    ----------
-    symbol : str
-        The parameter that is missing, from which the one asked for would follow.
-    """
-
-    def __init__(self, message: str, symbol: str) -> None:
-        super().__init__(message)
-        self.symbol = symbol
+    """What an aircraft may be given."""
+    return tuple(PARAMETERS)
 
 
 @dataclass(frozen=True)
@@ -117,6 +98,9 @@ class Aircraft(Listed):
         Where each given value comes from.
     source : str
         The document that most of them come from.
+    own : mapping of str to float, array or str
+        Parameters of a model of the user's own, by symbol or full name, as numbers in SI units or
+        with units; they are checked when the model is known.
     """
 
     name: str
@@ -125,6 +109,7 @@ class Aircraft(Listed):
     description: str = ""
     sources: Mapping[str, Source] = field(default_factory=dict)
     source: str = ""
+    own: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         values = self.given
@@ -132,9 +117,11 @@ class Aircraft(Listed):
             values = {key: _checked(key, value) for key, value in values.items()}
         common_shape(values)
         object.__setattr__(self, "given", MappingProxyType(values))
+        object.__setattr__(self, "own", MappingProxyType(dict(self.own)))
 
     def __reduce__(self) -> tuple[Any, ...]:
         fields = {**vars(self), "given": dict(self.given), "sources": dict(self.sources)}
+        fields["own"] = dict(self.own)
         fields.pop("_known", None)
         return partial(Aircraft, **fields), ()
 
@@ -189,6 +176,10 @@ class Aircraft(Listed):
             else:
                 given[key] = _checked(key, value)
         return _replace(self, given=given, sources=sources)
+
+    def with_own(self, own: Mapping[str, Any]) -> Aircraft:
+        """A copy with other parameters of a model of the user's own."""
+        return _replace(self, own=own)
 
     def __getitem__(self, name: str) -> FloatArray:
         """Value of a parameter, given or following, in SI units with radians.
@@ -246,8 +237,7 @@ class Aircraft(Listed):
             the parameters broadcast to, nothing if none is an array.
         """
         plane = self if speed is None else self.replace(u=speed)
-        arrays, _ = broadcast({s: plane[s] for s in as_model(model).parameters})
-        return np.stack(list(arrays.values()))
+        return stacked(parameters_of(plane, as_model(model)))
 
     def columns(
         self, model: ModelLike, **others: FloatArray
@@ -269,12 +259,12 @@ class Aircraft(Listed):
         shape : tuple of int
             What they broadcast to; its product is N.
         """
-        names = as_model(model).parameters
-        arrays, shape = broadcast({**{s: self[s] for s in names}, **others})
+        values = parameters_of(self, as_model(model))
+        arrays, shape = broadcast({**values, **others})
         if 0 in shape:
             raise GroundrollError(f"nothing is given: the arrays broadcast to {shape}")
         flat = {name: array.ravel() for name, array in arrays.items()}
-        return np.stack([flat[s] for s in names]), {name: flat[name] for name in others}, shape
+        return np.stack([flat[s] for s in values]), {name: flat[name] for name in others}, shape
 
     @cached_property
     def _known(self) -> dict[str, FloatArray]:
@@ -331,7 +321,7 @@ class Aircraft(Listed):
 
     def _rows(self) -> Iterable[Sequence[str]]:
         for s in self:
-            q = QUANTITIES[s]
+            q = PARAMETERS[s]
             source = self.sources.get(s, Source())
             mark = "estimate: " if source.estimate else ""
             origin = shorten(mark + source.text, 60) if s in self.given else "follows"
@@ -346,7 +336,7 @@ def packaged() -> tuple[str, ...]:
 
 
 def _label(key: str) -> str:
-    return f"{QUANTITIES[key].name} ({key})"
+    return f"{PARAMETERS[key].name} ({key})"
 
 
 def _short(value: FloatArray) -> str:

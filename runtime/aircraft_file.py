@@ -121,7 +121,8 @@ def _aircraft(path: Path, data: dict[str, Any], lines: Mapping[Place, int]) -> A
     if on := surface(file):
         _scale_friction(given, sources, on)
     title = file.title or path.stem
-    plane = Aircraft(path.stem, given, title, file.description, sources, file.source)
+    own = {name: entry.value for name, entry in file.parameters.items()}
+    plane = Aircraft(path.stem, given, title, file.description, sources, file.source, own)
     for problem in contradictions(plane):
         place = places.get(problem.symbol, (QUANTITIES[problem.symbol].name,))
         wrong.append((place, problem.found, problem.expected))

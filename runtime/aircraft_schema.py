@@ -163,6 +163,7 @@ class File(Table):
     title: str = ""
     description: str = ""
     source: str = ""
+    parameters: dict[str, Entry[float | str]] = Field(default_factory=dict)
     main_tires: Tires | None = None
     tail_wheel: TailWheel | None = None
     runway: Runway | None = None
@@ -199,6 +200,8 @@ def entries(
 ) -> Iterator[tuple[Place, str, float, Source]]:
     """Place, symbol, value and source of everything in a table with this content."""
     for name, content in table:
+        if name == "parameters" and not place:
+            continue  # of a model of the user's own
         here = (*place, name)
         if isinstance(content, Table):
             yield from entries(content, data[name], here)

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import GroundrollError
+from .generated import Quantity
 from .models import ModelLike, as_model
 from .names import QUANTITIES
 from .units import UnitError, expected, to_si
@@ -77,7 +78,7 @@ def whole(name: str, value: Any, least: int) -> int:
 
 
 def as_inputs(model: ModelLike, force: FloatArray) -> FloatArray:
-    """Inputs of a model under a disturbance, shape (inputs, *shape): its first; others are zero."""
+    """Inputs of a model under a disturbance, shape (inputs, *shape): its first, others zero."""
     inputs = np.zeros((len(as_model(model).inputs), *force.shape))
     inputs[0] = force
     return inputs
@@ -85,14 +86,20 @@ def as_inputs(model: ModelLike, force: FloatArray) -> FloatArray:
 
 def physical(symbol: str, value: Any) -> FloatArray:
     """`value` as an array of finite floats of the sign that the quantity `symbol` must have."""
-    quantity = QUANTITIES[symbol]
-    label = f"{quantity.name} ({symbol})"
+    return physical_of(QUANTITIES[symbol], value)
+
+
+def physical_of(quantity: Quantity, value: Any) -> FloatArray:
+    """`value` as an array of finite floats of the sign that a quantity must have."""
+    label = f"{quantity.name} ({quantity.symbol})"
     array = finite(label, value, quantity.unit)
     if quantity.sign:
         accept, words = _SIGNS[quantity.sign]
         good = accept(array, 0.0)
         if not good.all():
-            raise GroundrollError(f"{label} must be {words}, but {_where(symbol, array, ~good)}")
+            raise GroundrollError(
+                f"{label} must be {words}, but {_where(quantity.symbol, array, ~good)}"
+            )
     return array
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from .aircraft import FOLLOWS, Aircraft, NotGivenError, Source, parameter_symbols
+from .aircraft import FOLLOWS, Aircraft, Source, parameter_symbols
 from .arrays import FloatArray
 from .consistency import as_written, contradictions, following, in_words, words
 from .errors import GroundrollError
@@ -19,6 +19,7 @@ from .evaluate import elementwise
 from .generated import build
 from .models import ModelLike, as_model
 from .names import MODELS, QUANTITIES, symbol
+from .parameters import NotGivenError
 from .stability import speed_window
 from .units import from_si, parts, to_si
 

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .aircraft import FOLLOWS, Aircraft, NotGivenError, parameter_symbols
+from .aircraft import FOLLOWS, Aircraft, parameter_symbols
 from .arrays import FloatArray
 from .errors import GroundrollError
 from .names import QUANTITIES
+from .parameters import NotGivenError
 from .units import parts
 
 #: How far a given length may be from the one that follows from the other data, m: what a tape

@@ -12,6 +12,12 @@ from .generated import PACKS, Pack, Quantity
 QUANTITIES: dict[str, Quantity] = {}
 for _pack in PACKS.values():
     QUANTITIES = {**_pack.quantities, **QUANTITIES}
+#: What an aircraft may be given, by symbol: the parameters that any of these packs knows.
+PARAMETERS: dict[str, Quantity] = {}
+for _pack in PACKS.values():
+    for _s, _q in _pack.quantities.items():
+        if _q.kind == "parameter":
+            PARAMETERS.setdefault(_s, _q)
 #: The models that ship, by name.
 MODELS = {name: pack for name, pack in PACKS.items() if pack.states}
 #: Name of each function of these packs -> module, builder, C file.
