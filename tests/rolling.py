@@ -165,9 +165,9 @@ ABSENT = {
 
 #: Keys of the oracle's derivatives -> parameters.
 DERIVATIVES = {
-    "S": "S",
-    "b": "span",
-    "cbar": "chord",
+    "S": "S_wing",
+    "b": "b_wing",
+    "cbar": "c_wing",
     "CL": "CL_0",
     "CLa": "CL_alpha",
     "CD": "CD_0",
@@ -197,7 +197,7 @@ def parameters(aircraft: Mapping[str, Any]) -> dict[str, float]:
     found = dict(ABSENT) | {key: aircraft[key] for key in ("m", "g", "rho", "Ixx", "Iyy", "Izz")}
     found |= {"Ixz": aircraft["Ixz"], "v_rest": aircraft.get("v_rest", 1e-4)}
     found |= {"a": left["x"], "track": 2 * right["y"], "z_main": left["z"]}
-    found |= {"x_third": third["x"], "z_third": third["z"], "toe": radians(left["toe_deg"])}
+    found |= {"a_third": third["x"], "z_third": third["z"], "toe": radians(left["toe_deg"])}
     for wheel, leg, name in (
         (left, "main", "left"),
         (right, "main", "right"),

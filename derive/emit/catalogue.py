@@ -84,6 +84,9 @@ class Pack:
                 found.setdefault(q.name, q)
             for q in self.model.outputs:
                 found.setdefault(q.name, q)
+            for equation in self.model.defaults:
+                for q in (equation.lhs, *sorted(equation.rhs.free_symbols, key=str)):
+                    found.setdefault(q.name, q)
         found |= {q.name: q for q in self.vocabulary if q.name not in found}
         for module in self.modules:
             for function in module.functions:

@@ -25,11 +25,11 @@ from groundroll.derive.parts.friction import Tire, radt
 from groundroll.derive.parts.gear import (
     MAIN_LEG,
     THIRD_LEG,
+    a_third,
     rolling,
     surface,
     toe,
     track,
-    x_third,
     z_main,
     z_third,
 )
@@ -79,7 +79,7 @@ def wheels(
         ),
         wheel(
             THIRD,
-            place(x_third, sp.S.Zero, z_third),
+            place(a_third, sp.S.Zero, z_third),
             THIRD_LEG,
             third or radt(surface(THIRD), THIRD),
             rolling(THIRD),

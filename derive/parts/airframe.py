@@ -13,9 +13,9 @@ from .air import rudder_max, stalled
 from .controls import aileron, elevator, pedal, rudder
 from .quantities import rho
 
-S = Parameter("S", "wing_area", "m^2", "reference area", sign=">0")
-span = Parameter("span", "wing_span", "m", "reference span", sign=">0")
-chord = Parameter("chord", "mean_chord", "m", "reference chord", r"\bar{c}", ">0")
+S = Parameter("S_wing", "wing_area", "m^2", "reference area", "S", ">0")
+span = Parameter("b_wing", "wing_span", "m", "reference span", "b", ">0")
+chord = Parameter("c_wing", "mean_chord", "m", "reference chord", r"\bar{c}", ">0")
 
 
 def _derivative(symbol: str, name: str, meaning: str, latex: str, unit: str = "1/rad") -> Quantity:

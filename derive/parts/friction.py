@@ -47,7 +47,7 @@ _NEVER = sp.Rational(1, 10**12)
 #: From a load to the equations for `mu` and, by the tangent of a slip angle, `grip`.
 Tire = Callable[[Quantity], Chain]
 
-_TIRE = (given.B3, given.C3, given.B5, given.C5, given.B1, given.C1, given.D1, given.E1)
+TIRE = (given.B3, given.C3, given.B5, given.C5, given.B1, given.C1, given.D1, given.E1)
 
 
 def radt(surface: Quantity, wheel: str = "", measure: Quantity = slip) -> Tire:
@@ -60,7 +60,7 @@ def radt(surface: Quantity, wheel: str = "", measure: Quantity = slip) -> Tire:
     With a curvature factor above 1, as the thesis prints, the magic formula peaks, falls and in
     the end pushes the way the tire slides. Here it stays where it peaks.
     """
-    of_wheel = {q: q.of(wheel) for q in _TIRE}
+    of_wheel = {q: q.of(wheel) for q in TIRE}
     peak = 1 / (given.B1 * sp.sqrt(sp.Max(given.E1 - 1, _NEVER)))
 
     def tire(load: Quantity) -> Chain:

@@ -14,8 +14,8 @@ z_main = Parameter(
     "contact of a main wheel below the CG, leg unloaded",
     sign=">0",
 )
-x_third = Parameter(
-    "x_third", "third_wheel_arm", "m", "third wheel ahead of the CG; negative: a tail wheel"
+a_third = Parameter(
+    "a_third", "third_wheel_arm", "m", "third wheel ahead of the CG; negative: a tail wheel"
 )
 z_third = Parameter(
     "z_third", "third_wheel_depth", "m", "contact of the third wheel below the CG, leg unloaded"
