@@ -23,15 +23,17 @@ Fit = Callable[[Any], Any]
 TARGET = Path(__file__).with_name("coefficients.json")
 
 
-def remez(f: Fit, weight: Fit, top: mp.mpf, degree: int) -> tuple[list[Any], mp.mpf]:
-    """Minimax polynomial on ``(0, top]``.
+def remez(
+    f: Fit, weight: Fit, top: mp.mpf, degree: int, bottom: float = 0
+) -> tuple[list[Any], mp.mpf]:
+    """Minimax polynomial on ``(bottom, top)``.
 
     Parameters
     ----------
     f, weight : callable
         Function to fit, and the factor that turns an error of it into the error that counts.
-    top : mpf
-        Upper end of the interval.
+    top, bottom : mpf
+        Ends of the interval.
     degree : int
         Degree of the polynomial.
 
@@ -43,8 +45,12 @@ def remez(f: Fit, weight: Fit, top: mp.mpf, degree: int) -> tuple[list[Any], mp.
         Largest weighted error.
     """
     count = degree + 2
-    nodes = [top * (1 - mp.cos(mp.pi * (k + mp.mpf("0.5")) / count)) / 2 for k in range(count)]
-    grid = [top * (1 - mp.cos(mp.pi * (k + mp.mpf("0.5")) / 600)) / 2 for k in range(600)]
+
+    def spread(points: int) -> list[Any]:
+        angles = [mp.pi * (k + mp.mpf("0.5")) / points for k in range(points)]
+        return [bottom + (top - bottom) * (1 - mp.cos(angle)) / 2 for angle in angles]
+
+    nodes, grid = spread(count), spread(600)
     for _ in range(12):
         system, right = mp.matrix(count, count), mp.matrix(count, 1)
         for row, s in enumerate(nodes):
@@ -75,6 +81,28 @@ def polynomial(name: str, ratio: Fit, top: mp.mpf, degree: int) -> dict[str, Any
     """Fit ``P`` in ``function(t) = t + t s P(s)``, ``s = t**2``, for a relative error bound."""
     coefficients, error = remez(lambda s: (ratio(s) - 1) / s, lambda s: s / ratio(s), top, degree)
     print(f"{name}: degree {degree}, relative error {mp.nstr(error, 3)}")
+    return {"coefficients": [float(c) for c in coefficients], "error": float(error)}
+
+
+def exponential(degree: int) -> dict[str, Any]:
+    """Fit ``P`` in ``expm1(r) = r + r**2 P(r)`` between half a power of two down and up."""
+    half = mp.log(2) / 2 * mp.mpf("1.001")
+    coefficients, error = remez(
+        lambda r: (mp.expm1(r) - r) / r**2, lambda r: r**2 / mp.exp(r), half, degree, -half * mp.mpf("1.001")
+    )
+    print(f"exp: degree {degree}, relative error {mp.nstr(error, 3)}")
+    return {"coefficients": [float(c) for c in coefficients], "error": float(error)}
+
+
+def logarithm(degree: int) -> dict[str, Any]:
+    """Fit ``P`` in ``log((1 + s) / (1 - s)) = 2 s + s z P(z)``, ``z = s**2``."""
+    top = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2 * mp.mpf("1.001")
+
+    def rest(z: Any) -> Any:
+        return (2 * mp.atanh(mp.sqrt(z)) / mp.sqrt(z) - 2) / z
+
+    coefficients, error = remez(rest, lambda z: z / 2, top, degree)
+    print(f"log: degree {degree}, relative error {mp.nstr(error, 3)}")
     return {"coefficients": [float(c) for c in coefficients], "error": float(error)}
 
 
@@ -134,8 +162,11 @@ def main() -> None:
         "sin": polynomial(
             "sin", lambda s: mp.sin(mp.sqrt(s)) / mp.sqrt(s), (mp.pi / 2) ** 2 * mp.mpf("1.001"), 7
         ),
+        "exp": exponential(9),
+        "log": logarithm(6),
         "tan_pi_8": float(eighth),
         "pi_parts": split(mp.pi, 33, 3),
+        "ln2_parts": split(mp.log(2), 33, 2),
         "dop853": tableau(),
         "collocation": collocation(16),
     }

@@ -8,7 +8,11 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 #: Functions that take long.
-CURVES = {"atan", "sin", "cos", "tan", "exp", "log", "pow", "tanh", "asin", "acos", "atan2"}
+CURVES = {
+    *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
+    *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
+    *("exp", "log", "expm1", "log1p", "pow"),
+}
 FOLD: dict[str, Callable[[float, float], float]] = {
     "add": lambda a, b: a + b,
     "sub": lambda a, b: a - b,

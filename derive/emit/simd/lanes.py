@@ -21,14 +21,9 @@ NUMBERS = json.loads((_HERE / "coefficients.json").read_text())
 
 INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 COMPARE = {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
-LANE_FUNCTION = {
-    "atan": "lane_atan",
-    "sin": "lane_sin",
-    "cos": "lane_cos",
-    "tan": "lane_tan",
-    "fmin": "lane_min",
-    "fmax": "lane_max",
-    "sign": "lane_sign",
+#: Operations whose name in C is another one.
+LANE_FUNCTION = {"fmin": "lane_min", "fmax": "lane_max"} | {
+    name: f"lane_{name}" for name in ("sign", "hypot", *sorted(CURVES))
 }
 
 
@@ -217,10 +212,14 @@ def elementary() -> str:
     values = {
         "@ATAN@": even_odd(NUMBERS["atan"]["coefficients"]),
         "@SIN@": even_odd(NUMBERS["sin"]["coefficients"]),
+        "@EXP@": even_odd(NUMBERS["exp"]["coefficients"]),
+        "@LOG@": even_odd(NUMBERS["log"]["coefficients"]),
         "@TAN_PI_8@": literal(eighth),
         "@COT_PI_8@": literal(1.0 / eighth),
         "@PI_HIGH@": literal(high),
         "@PI_MIDDLE@": literal(middle),
         "@PI_LOW@": literal(low),
+        "@LN2_HIGH@": literal(NUMBERS["ln2_parts"][0]),
+        "@LN2_LOW@": literal(NUMBERS["ln2_parts"][1]),
     }
     return template("elementary.c", values)

@@ -20,32 +20,22 @@ import casadi as ca
 from .graph import Graph, Node
 
 UNARY = {
-    ca.OP_SQRT: "sqrt",
-    ca.OP_SIN: "sin",
-    ca.OP_COS: "cos",
-    ca.OP_TAN: "tan",
-    ca.OP_ATAN: "atan",
-    ca.OP_EXP: "exp",
-    ca.OP_LOG: "log",
-    ca.OP_FABS: "fabs",
-    ca.OP_SIGN: "sign",
-    ca.OP_NOT: "not",
-    ca.OP_TANH: "tanh",
-    ca.OP_ASIN: "asin",
-    ca.OP_ACOS: "acos",
+    getattr(ca, f"OP_{name.upper()}"): name
+    for name in (
+        *("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
+        *("asinh", "acosh", "atanh", "exp", "log", "expm1", "log1p"),
+        *("sqrt", "fabs", "sign", "floor", "ceil", "not"),
+    )
 }
 BINARY = {
-    ca.OP_FMIN: "fmin",
-    ca.OP_FMAX: "fmax",
-    ca.OP_LT: "lt",
-    ca.OP_LE: "le",
-    ca.OP_EQ: "eq",
-    ca.OP_NE: "ne",
-    ca.OP_AND: "and",
-    ca.OP_OR: "or",
-    ca.OP_IF_ELSE_ZERO: "select",
-    ca.OP_ATAN2: "atan2",
-}
+    getattr(ca, f"OP_{name.upper()}"): name
+    for name in (
+        *("fmin", "fmax", "atan2", "hypot", "copysign"),
+        *("lt", "le", "eq", "ne", "and", "or"),
+    )
+} | {ca.OP_IF_ELSE_ZERO: "select"}
+#: Operations that have no emitted form, for the message.
+_NAMES = {getattr(ca, name): name[3:].lower() for name in dir(ca) if name.startswith("OP_")}
 
 
 class Scaled(NamedTuple):
@@ -207,7 +197,8 @@ def operate(graph: Graph, op: int, args: Sequence[Sum]) -> Sum:
     if op == ca.OP_ASSIGN:
         return args[0]
     if op not in UNARY | BINARY:
-        raise NotImplementedError(f"CasADi operation {op} has no emitted form")
+        known = ", ".join(sorted({*UNARY.values(), *BINARY.values()} - {"select"}))
+        raise NotImplementedError(f"{_NAMES[op]} has no form in the kernels; there are {known}")
     return single(graph, graph.apply((UNARY | BINARY)[op], *(plain(graph, a) for a in args)))
 
 
