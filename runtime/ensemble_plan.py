@@ -15,11 +15,13 @@ from .arrays import FloatArray, common_shape, finite, positive, whole
 from .chunks import piece
 from .ensemble_result import Ensemble, Named
 from .errors import GroundrollError, unknown
-from .generated.kernels import Outcome, Task
-from .generated.packs import Kernel
+from .generated import Pack
 from .models import ModelLike, as_model
+from .motion.lanes import STATUS, Outcome, Task, Watch
 from .names import QUANTITIES, symbol
 
+#: Status of a trajectory that left a range.
+LEFT = STATUS.index("left the range")
 #: Finest and coarsest `tol`.
 TOLERANCES = (1e-11, 1e-3)
 #: Bytes that the results of one chunk may take.
@@ -45,11 +47,6 @@ class Plan:
     within: Mapping[str, float] | None = None
 
     @property
-    def kernel(self) -> Kernel:
-        """The kernel that carries no more than is needed."""
-        return smallest_kernel(self.model, (*self.names, *self.watched))
-
-    @property
     def final(self) -> tuple[str, ...]:
         """The names that are states."""
         return tuple(s for s in self.names if s in as_model(self.model).states)
@@ -62,52 +59,51 @@ class Plan:
     @property
     def bytes_each(self) -> int:
         """Bytes of the result of one trajectory."""
-        numbers = len(self.final) + len(self.names) * self.at.size + 2 * len(self.watched)
-        return 8 * numbers + 1 + 4 + 8
+        numbers = len(self.final) + len(self.names) * self.at.size + 2 * len(self.watches)
+        return 8 * numbers + 1 + 1 + 4 + 8 + 8
 
     @property
     def follows(self) -> bool:
         """Whether a parameter that follows from others varies."""
         return any(value.ndim for value in self.aircraft.given.values())
 
+    @property
+    def watches(self) -> tuple[Watch, ...]:
+        """Magnitudes whose extremes are wanted, and those beyond which a trajectory ends."""
+        limits, within = self.limits or {}, self.within or {}
+        return (
+            *(Watch(s, limit=np.array([limits.get(s, np.inf)])) for s in self.watched),
+            *(Watch(s, limit=np.array([most]), ends=True) for s, most in within.items()),
+        )
+
     def task(self, chunk: range) -> Task:
         """The trajectories of a chunk."""
         cut_out = partial(piece, shape=self.shape, chunk=chunk)
-        names = as_model(self.model)
-        p = [cut_out(self.inputs[s]) for s in names.inputs]
+        model, aircraft = as_model(self.model), self.aircraft
         if len(chunk) == math.prod(self.shape):
-            p += [cut_out(self.aircraft[s]) for s in names.parameters]
+            p = {s: cut_out(aircraft[s]) for s in model.parameters}
         else:  # what follows from others, follows for the chunk alone
-            given = {s: cut_out(value) for s, value in self.aircraft.given.items()}
-            plane = replace(self.aircraft, given=given)
-            p += [plane[s] for s in names.parameters]
-        x0 = [cut_out(self.start[s]) for s in self.kernel.states]
+            given = {s: cut_out(value) for s, value in aircraft.given.items()}
+            aircraft = replace(aircraft, given=given)
+            p = {s: aircraft[s] for s in model.parameters}
         return Task(
-            kernel=self.kernel,
-            x0=tuple(value.reshape(-1) for value in x0),
-            p=tuple(value.reshape(-1) for value in p),
+            model=model,
+            x0={s: cut_out(self.start[s]).reshape(-1) for s in model.states},
+            inputs={s: cut_out(self.inputs[s]).reshape(-1) for s in model.inputs},
+            parameters={s: value.reshape(-1) for s, value in p.items()},
             count=len(chunk),
             t=self.t,
             tol=self.tol,
             times=self.at,
             sampled=self.sampled,
-            watched=self.watched,
-            limits=dict(self.limits or {}),
-            within=dict(self.within or {}),
+            final=self.final,
+            watches=self.watches,
         )
 
     def empty_result(self) -> Outcome:
         """Room for all trajectories."""
-        n = math.prod(self.shape)
-        return Outcome(
-            status=np.empty(n, np.int8),
-            steps=np.empty(n, np.int32),
-            estimate=np.empty(n),
-            final={s: np.empty(n) for s in self.final},
-            samples={s: np.empty((n, self.at.size)) for s in self.sampled},
-            largest={s: np.empty(n) for s in self.watched},
-            first={s: np.empty(n) for s in self.limits or {}},
-        )
+        n, watches = math.prod(self.shape), len(self.watches)
+        return Outcome.empty(n, self.final, self.sampled, self.at.size, watches)
 
     def shaped(self, result: Outcome) -> Ensemble:
         """The result in the shape of the trajectories."""
@@ -116,6 +112,11 @@ class Plan:
             each = {s: arrays[s].reshape((*self.shape, *arrays[s].shape[1:])) for s in wanted}
             return Named(each, what)
 
+        left = result.cause >= 0
+        for state in result.final.values():
+            state[left] = np.nan
+        largest = dict(zip(self.watched, result.largest, strict=False))
+        first = dict(zip(self.watched, result.first, strict=False))
         return Ensemble(
             aircraft=self.aircraft,
             model=self.model,
@@ -123,14 +124,14 @@ class Plan:
             inputs=self.inputs,
             t=self.t,
             tol=self.tol,
-            status=result.status.reshape(self.shape),
+            status=np.where(left, LEFT, result.status).astype(np.int8).reshape(self.shape),
             steps=result.steps.reshape(self.shape),
             estimate=result.estimate.reshape(self.shape),
             final=named(result.final, self.final, "final states"),
             at=self.at,
             samples=named(result.samples, self.sampled, "samples"),
-            largest=named(result.largest, self.watched, "extremes"),
-            first=named(result.first, self.limits or (), "limits"),
+            largest=named(largest, self.watched, "extremes"),
+            first=named(first, self.limits or (), "limits"),
             limits=dict(self.limits or {}),
             within=dict(self.within or {}),
         )
@@ -161,7 +162,7 @@ def plan(
     times = _times(at, duration)
     if names is None:
         path = {"X", "Y"} & start.keys()
-        wanted = model.states if path else model.kernels["body"].states
+        wanted = model.states if path else _in_body_axes(model)
     else:
         allowed = (*model.states, *model.outputs) if times.size else model.states
         wanted = tuple(symbol(n, "name", allowed, "names") for n in listed("names", names))
@@ -240,10 +241,9 @@ def listed(what: str, names: Iterable[str]) -> list[str]:
     return list(names)
 
 
-def smallest_kernel(model: ModelLike, names: Iterable[str]) -> Kernel:
-    """The kernel of a model that carries these states and outputs, and little else."""
-    able = [k for k in as_model(model).kernels.values() if set(names) <= set(k.rows)]
-    return min(able, key=lambda k: len(k.states))
+def _in_body_axes(model: Pack) -> tuple[str, ...]:
+    """Every state but the path over the ground, in the order of the largest set without it."""
+    return model.carried[max(0, len(model.carried) - 2)]
 
 
 def check_tolerance(tol: Any) -> float:

@@ -11,9 +11,9 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft
 from .arrays import FloatArray
-from .generated.kernels import STATUS
 from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
+from .motion.lanes import STATUS
 from .names import QUANTITIES, symbol
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result

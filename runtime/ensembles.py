@@ -12,11 +12,11 @@ from .aircraft import Aircraft
 from .chunks import check_memory, cut, run, thread_count
 from .ensemble_plan import plan, watching
 from .ensemble_result import Ensemble
-from .generated import kernels
-from .generated.kernels import Outcome, Task
 from .models import ModelLike
+from .motion import lanes
+from .motion.lanes import Outcome, Task
+from .motion.virtual import integrate_in_vm
 from .progress import Progress, counted
-from .vm_ensemble import integrate_in_vm
 
 
 def ensemble(
@@ -111,16 +111,16 @@ def ensemble(
 
 def _integrate(task: Task, threads: int) -> Outcome:
     """One chunk, wherever this runs."""
-    if kernels.can_compile(task.kernel):
-        return kernels.integrate(task, threads)
+    if lanes.can_compile(task.model):
+        return lanes.integrate(task, threads)
     return integrate_in_vm(task)
 
 
 def _keep(result: Outcome, chunk: range, found: Outcome) -> None:
     """Put what came of a chunk where it belongs."""
     where = slice(chunk.start, chunk.stop)
-    result.status[where], result.steps[where] = found.status, found.steps
-    result.estimate[where] = found.estimate
-    for kind in ("final", "samples", "largest", "first"):
+    for name in ("status", "steps", "estimate", "end", "cause", "largest", "first"):
+        getattr(result, name)[..., where] = getattr(found, name)
+    for kind in ("final", "samples"):
         for name, array in getattr(result, kind).items():
             array[where] = getattr(found, kind)[name]

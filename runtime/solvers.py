@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .ensemble_plan import check_tolerance, listed, smallest_kernel
+from .ensemble_plan import check_tolerance, listed
 from .errors import GroundrollError
-from .generated import kernels
-from .generated.kernels import Task
-from .generated.packs import Kernel
+from .generated import Pack
 from .models import ModelLike, as_model
+from .motion import lanes
+from .motion.lanes import Stepper, Task
+from .motion.virtual import integrate_in_vm
 from .names import symbol
-from .vm_ensemble import integrate_in_vm
 
 Solver = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 
@@ -50,7 +50,7 @@ def solver(
     callable
         x0, u, p : initial states, inputs and parameters in the order of
         ``generated.PACKS[model]``; returns an array of shape (names, times), NaN where the
-        motion grows without bound. One thread at a time may call it.
+        motion grows without bound. It can be pickled, and called by several threads at once.
 
     Raises
     ------
@@ -72,14 +72,13 @@ def solver(
         dict.fromkeys(symbol(n, "name", allowed, "names") for n in listed("names", names))
     )
     tolerance = check_tolerance(tol)
-    kernel = smallest_kernel(model, wanted)
-    if kernels.can_compile(kernel):
-        return kernels.Stepper(kernel, times, tolerance, wanted)
-    return partial(_solve_in_vm, kernel, times, tolerance, wanted)
+    if lanes.can_compile(model):
+        return Stepper(model, times, tolerance, wanted)
+    return partial(_solve_in_vm, model, times, tolerance, wanted)
 
 
 def _solve_in_vm(
-    kernel: Kernel,
+    model: Pack,
     times: FloatArray,
     tol: float,
     names: tuple[str, ...],
@@ -87,19 +86,19 @@ def _solve_in_vm(
     u: FloatArray,
     p: FloatArray,
 ) -> FloatArray:
-    start = (x0[kernel.order.index(s)] for s in kernel.states)
+    def named(symbols: tuple[str, ...], values: FloatArray) -> dict[str, FloatArray]:
+        return {s: np.atleast_1d(value) for s, value in zip(symbols, values, strict=True)}
+
     task = Task(
-        kernel=kernel,
-        x0=tuple(map(np.atleast_1d, start)),
-        p=tuple(map(np.atleast_1d, (*u, *p))),
+        model=model,
+        x0=named(model.states, x0),
+        inputs=named(model.inputs, u),
+        parameters=named(model.parameters, p),
         count=1,
         t=float(times[-1]),
         tol=tol,
         times=times,
         sampled=names,
-        watched=(),
-        limits={},
-        within={},
     )
     samples = integrate_in_vm(task).samples
     return np.concatenate([samples[name] for name in names])

@@ -10,7 +10,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from groundroll.derive.simd.lanes import elementary
+from groundroll.derive.emit.simd.lanes import elementary
 
 #: Largest error in units of the last place, and the arguments for which it holds.
 ULPS = {

@@ -20,8 +20,8 @@ from scipy.integrate import solve_ivp
 import groundroll as gr
 from groundroll import chunks, ensembles
 from groundroll.ensemble_plan import plan
-from groundroll.generated import kernels
-from groundroll.vm_ensemble import integrate_in_vm
+from groundroll.motion import lanes
+from groundroll.motion.virtual import integrate_in_vm
 
 PLANE = gr.Aircraft.load("brott-physical")
 FIELDS = ("final", "samples", "largest", "first")
@@ -218,17 +218,15 @@ def test_broken_lanes_are_told_and_leave_the_others_alone():
     """At the kernel's own door: the public one lets no such number through."""
     values = cloud(100)
     (task,) = (plan_of(values).task(range(100)),)
-    sound = kernels.integrate(task)
-    x0, p = [list(part) for part in (task.x0, task.p)]
-    x0[0] = x0[0].copy()
-    x0[0][[5, 40]] = np.nan, np.inf
-    speed = next(k for k, array in enumerate(p) if array.size == 100 and array.min() >= 15)
-    p[speed] = p[speed].copy()
-    p[speed][[17, 33]] = 0.0, np.nan
-    broken = kernels.integrate(type(task)(**{**vars(task), "x0": tuple(x0), "p": tuple(p)}))
+    sound = lanes.integrate(task)
+    x0, p = dict(task.x0), dict(task.parameters)
+    x0["v"], p["u"] = x0["v"].copy(), p["u"].copy()
+    x0["v"][[5, 40]] = np.nan, np.inf
+    p["u"][[17, 33]] = 0.0, np.nan
+    broken = lanes.integrate(type(task)(**{**vars(task), "x0": x0, "parameters": p}))
     bad = np.isin(np.arange(100), [5, 17, 33, 40])
     assert (broken.status[bad] != 0).all()
-    assert (broken.status[[5, 33, 40]] == kernels.STATUS.index("not finite")).all()
+    assert (broken.status[[5, 33, 40]] == lanes.STATUS.index("not finite")).all()
     assert (broken.status[~bad] == 0).all()
     for name, final in broken.final.items():
         assert np.isnan(final[bad]).all()
@@ -259,7 +257,7 @@ def test_what_leaves_the_range_ends_there():
 def test_the_virtual_machine_gives_the_same_numbers(monkeypatch: pytest.MonkeyPatch):
     values = cloud(12, v0=6.0, r0=0.3)
     fast = gr.ensemble(PLANE, 3.0, tol=1e-9, **EVERYTHING, **values)
-    monkeypatch.setattr(kernels, "can_compile", lambda kernel: False)
+    monkeypatch.setattr(lanes, "can_compile", lambda model: False)
     slow = gr.ensemble(PLANE, 3.0, tol=1e-9, **EVERYTHING, **values)
     assert (slow.status == fast.status).all()
     ok = fast.ok
@@ -275,7 +273,7 @@ def test_the_virtual_machine_gives_the_same_numbers(monkeypatch: pytest.MonkeyPa
 
 def test_the_virtual_machine_isolates_too():
     task = plan_of(cloud(9)).task(range(9))
-    x0 = (np.where(np.arange(9) == 4, np.nan, task.x0[0]), *task.x0[1:])
+    x0 = {**task.x0, "v": np.where(np.arange(9) == 4, np.nan, task.x0["v"])}
     outcome = integrate_in_vm(type(task)(**{**vars(task), "x0": x0}))
     assert outcome.status.tolist() == [0, 0, 0, 0, 1, 0, 0, 0, 0]
     assert np.isfinite(outcome.final["v"]).tolist() == (outcome.status == 0).tolist()
@@ -353,9 +351,9 @@ def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
     alive: list[int] = []
     work = ensembles._integrate
 
-    def counted(task: kernels.Task, threads: int) -> kernels.Outcome:
+    def counted(task: lanes.Task, threads: int) -> lanes.Outcome:
         alive.append(task.count)
-        assert all(array.size in (1, task.count) for array in (*task.x0, *task.p))
+        assert all(array.size in (1, task.count) for array in task.x0.values())
         return work(task, threads)
 
     monkeypatch.setattr(ensembles, "_integrate", counted)

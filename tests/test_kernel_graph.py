@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundroll.derive.simd.graph import Graph
-from groundroll.derive.simd.sums import read
+from groundroll.derive.emit.simd.graph import Graph
+from groundroll.derive.emit.simd.sums import read
 from groundroll.generated import build
 
 OPERATIONS: dict[str, Callable[..., float]] = {

@@ -10,7 +10,7 @@ from groundroll.derive.core.frames import X, Y, Z, phi, psi, r, u, v
 from groundroll.derive.core.quantity import Quantity
 
 from .catalogue import Pack
-from .kernels import Kernel, SweepKernels
+from .kernels import Kernels, SweepKernels
 from .shipped.version import FORMAT, VERSION
 
 #: What a state, input or parameter is to whoever draws or judges a motion, whatever the model.
@@ -29,7 +29,7 @@ _ROLES = {
 def facts(
     pack: Pack,
     functions: Mapping[str, tuple[str, str, str]],
-    kernels: Sequence[Kernel],
+    kernels: Kernels | None,
     sweep: SweepKernels | None,
 ) -> str:
     """Text of ``facts.json``."""
@@ -45,7 +45,7 @@ def facts(
         "functions": {name: list(entry) for name, entry in functions.items()},
         "sweeps": dict.fromkeys(sweep.functions, sweep.name) if sweep else {},
     }
-    if model is not None:
+    if model is not None and kernels is not None:
         named = {q.name for q in (*model.states, *model.parameters)}
         content |= {
             "states": _names(model.states),
@@ -56,7 +56,8 @@ def facts(
             "roles": {role: q.name for role, q in _ROLES.items() if q.name in named},
             "places": [[place.name, place.kind] for place in model.places],
             "events": [[e.name, e.quantity.name, e.rising, e.meaning] for e in model.events],
-            "kernels": {kernel.name: list(kernel.states) for kernel in kernels},
+            "carried": [list(each) for each in kernels.carried],
+            "seen": [list(each) for each in kernels.seen],
         }
     return _text(content)
 

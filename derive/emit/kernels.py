@@ -2,27 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
 
 from groundroll.derive.core.model import Derivation
 
 from .catalogue import Pack
-from .simd.ensemble import ensemble_kernel
-from .simd.model import read_model
+from .simd.model import kernel_text, read_model
 from .simd.sweep import can_sweep, sweep_kernels
-from .simd.trajectory import trajectory_kernel
 
 
 @dataclass(frozen=True)
-class Kernel:
-    """Emitted integrators of some states of a model: of many trajectories, and of a single one."""
+class Kernels:
+    """Emitted integrators of a model.
 
-    name: str
-    states: tuple[str, ...]
-    ensemble: str
-    trajectory: str
+    Attributes
+    ----------
+    carried : tuple of tuple of str
+        The sets of states that they can carry, the smallest first.
+    seen : tuple of tuple of str
+        For each set the outputs that need no other state.
+    text : str
+        C of all of them.
+    """
+
+    carried: tuple[tuple[str, ...], ...]
+    seen: tuple[tuple[str, ...], ...]
+    text: str
 
 
 @dataclass(frozen=True)
@@ -34,23 +41,15 @@ class SweepKernels:
     text: str
 
 
-def integration_kernels(model: Derivation, module: ModuleType) -> Iterator[Kernel]:
+def integration_kernels(model: Derivation, module: ModuleType) -> Kernels:
     """Kernels of the states in body axes, of those that differ among them, and of everything."""
-    rhs, outputs = module.rhs(), module.outputs()
-    every = range(len(model.states))
     body = _in_body_axes(model)
-    for name, keep in (
-        ("least", _distinct(model, body)),
-        ("body", body),
-        ("path", every),
-    ):
-        read = read_model(rhs, outputs, keep)
-        yield Kernel(
-            name=name,
-            states=tuple(str(model.states[j]) for j in read.states),
-            ensemble=ensemble_kernel(read),
-            trajectory=trajectory_kernel(read),
-        )
+    read = read_model(module.rhs(), module.outputs(), (_distinct(model, body), body))
+    return Kernels(
+        carried=tuple(tuple(str(model.states[j]) for j in each.states) for each in read.carried),
+        seen=tuple(tuple(str(model.outputs[j]) for j in each.outputs) for each in read.carried),
+        text=kernel_text(read),
+    )
 
 
 def _in_body_axes(model: Derivation) -> list[int]:

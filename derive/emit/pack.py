@@ -36,16 +36,15 @@ def pack_files(pack: Pack) -> dict[str, str]:
     header = provenance(pack.digest)
     sources = {f"{module.name}.py": _module_source(pack, module) for module in pack.all_modules}
     modules = _load(sources)
-    kernels = tuple(integration_kernels(pack.model, modules["model"])) if pack.model else ()
+    kernels = integration_kernels(pack.model, modules["model"]) if pack.model else None
     sweep = sweep_of(pack, modules)
     texts = {name: f"# {header}\n{text}" for name, text in sources.items()}
     texts["EQUATIONS.md"] = f"<!-- {header} -->\n{equation_sheet(pack)}"
     for name, functions in _compiled(pack, modules).items():
         texts[f"c/{name}.c"] = c_source(name, functions, header)
     compiled = {} if sweep is None else {sweep.name: sweep.text}
-    for kernel in kernels:
-        compiled[f"{kernel.name}_ensemble"] = kernel.ensemble
-        compiled[f"{kernel.name}_trajectory"] = kernel.trajectory
+    if kernels is not None:
+        compiled["lanes"] = kernels.text
     for name, text in compiled.items():
         texts[f"c/{name}.c"] = f"/* {header} */\n{text}"
     texts["facts.json"] = facts(pack, _function_table(pack), kernels, sweep)

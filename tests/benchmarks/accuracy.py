@@ -17,9 +17,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import groundroll as gr
-from groundroll.ensemble_plan import plan, smallest_kernel
-from groundroll.generated import kernels
-from groundroll.names import signature
+from groundroll.ensemble_plan import plan
+from groundroll.models import as_model
+from groundroll.motion import lanes
 
 COUNT, TIMES, REFERENCE = 50_000, 101, 1e-13
 TOLERANCES = (1e-4, 1e-6, 1e-9)
@@ -76,23 +76,22 @@ def by_ensemble(cloud: Cloud, plane: gr.Aircraft, start: dict[str, Any], tol: fl
     at = np.linspace(0.0, cloud.t, TIMES)
     planned = plan(plane, cloud.t, "nonlinear", at, cloud.states, 1e-6, COUNT, start)
     task = dataclasses.replace(planned.task(range(COUNT)), tol=tol)
-    done = kernels.integrate(task, threads=2)
+    done = lanes.integrate(task, threads=2)
     rows = np.stack([done.samples[s] for s in cloud.states], axis=1)
     return Found(rows, done.status == 0, done.estimate, done.steps)
 
 
 def by_ensemble_end(cloud: Cloud, plane: gr.Aircraft, start: dict[str, Any], tol: float) -> Found:
     planned = plan(plane, cloud.t, "nonlinear", None, cloud.states, 1e-6, COUNT, start)
-    done = kernels.integrate(dataclasses.replace(planned.task(range(COUNT)), tol=tol), threads=2)
+    done = lanes.integrate(dataclasses.replace(planned.task(range(COUNT)), tol=tol), threads=2)
     rows = np.stack([done.final[s] for s in cloud.states], axis=1)[:, :, None]
     return Found(rows, done.status == 0, done.estimate, done.steps)
 
 
 def by_solver(cloud: Cloud, plane: gr.Aircraft, start: dict[str, Any], tol: float) -> Found:
-    kernel = smallest_kernel("nonlinear", cloud.states)
-    at = np.linspace(0.0, cloud.t, TIMES)
-    solve = kernels.Stepper(kernel, at, tol, cloud.states)
-    states, u = signature("nonlinear").states, np.zeros(1)
+    model, at = as_model("nonlinear"), np.linspace(0.0, cloud.t, TIMES)
+    solve = lanes.Stepper(model, at, tol, cloud.states)
+    states, u = model.states, np.zeros(1)
     x0 = np.zeros((COUNT, len(states)))
     for name, value in start.items():
         x0[:, states.index(name[:-1])] = value

@@ -88,7 +88,11 @@ def exponential(degree: int) -> dict[str, Any]:
     """Fit ``P`` in ``expm1(r) = r + r**2 P(r)`` between half a power of two down and up."""
     half = mp.log(2) / 2 * mp.mpf("1.001")
     coefficients, error = remez(
-        lambda r: (mp.expm1(r) - r) / r**2, lambda r: r**2 / mp.exp(r), half, degree, -half * mp.mpf("1.001")
+        lambda r: (mp.expm1(r) - r) / r**2,
+        lambda r: r**2 / mp.exp(r),
+        half,
+        degree,
+        -half * mp.mpf("1.001"),
     )
     print(f"exp: degree {degree}, relative error {mp.nstr(error, 3)}")
     return {"coefficients": [float(c) for c in coefficients], "error": float(error)}
@@ -124,6 +128,7 @@ def tableau() -> dict[str, Any]:
     return {
         "A": [[float(a) for a in source.A[i, :i]] for i in range(source.N_STAGES_EXTENDED)],
         "B": [float(b) for b in source.B],
+        "C": [float(c) for c in source.C],
         "E3": [float(e) for e in source.E3[: source.N_STAGES]],
         "E5": [float(e) for e in source.E5[: source.N_STAGES]],
         "D": [[float(d) for d in row] for row in source.D],

@@ -14,25 +14,65 @@ static const double SHARE = 0.2;           /* local tolerance tau / tol */
 static const double TRUST = 1.0;           /* estimated global error / tol that is accepted */
 static const double REACH = 10.5, HOLD = 0.97;  /* see cap() */
 static const double GUARD = 0.7;           /* see measure() */
-static const double ACROSS = 0.3;          /* see follow_error() */
 static const double BETWEEN = 0.003;       /* see measure_between() */
 
+/* What is followed of the global error, see below. */
+#if PLANE && !VARYING
+typedef struct { lanes drift, past[NS], past2[NS], area, passed, spread, shift, doubt, trace; } errors_t;
+#else
+typedef struct { lanes e[NS], image[NS], mode[ND1], turn[ND1], doubt; } errors_t;
+#endif
+
 typedef struct {
-    lanes c[NC], w[NW], x[NS], begin[NS], f0[NS], scale[NS], weight[NS], xn[NS], e5[NS], e3[NS];
-    lanes k[DENSE_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1], largest[ROWS], first[ROWS];
-    lanes mode[NS], turn[NS + 1], growth, rho, reach, t, h, h0, least, tau, error, local, head, tail;
-    lanes drift, past[NS], past2[NS], area, passed, spread, shift, doubt;
-    lanes steps, state, theta;
+    lanes c[NC], x[NS], begin[NS], f0[NS], scale[NS], weight[NS], xn[NS], e5[NS], e3[NS];
+    lanes k[DENSE_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1];
+    lanes largest[WATCHES], first[WATCHES], size[WATCHES];
+    lanes mode[ND1], growth, rho, reach, t, h, h0, least, tau, error, local, sharp, head, tail;
+    lanes steps, state, theta, stop, finish;
+    errors_t errors;
+#if VARYING
+    inputs_t in;
+    lanes u[NU1], when, wish;
+    int terms;
+#endif
     int64_t id[LANES], next[LANES];
-    int retries[LANES];
+    int retries[LANES], cause[LANES];
 } __attribute__((aligned(64))) block_t;
 
 /* Trajectories ready to be loaded into lanes. */
 typedef struct {
-    lanes p[NP], c[NC], w[NW], x[NS], xn[NS], k[2][NS], h;
+    lanes p[NP], c[NC], x[NS], xn[NS], k[2][NS], h;
+#if VARYING
+    inputs_t in;
+    lanes u[NU1], when;
+#endif
     int64_t id;
     int used, count, filled;               /* filled: numbers that all share are there */
 } __attribute__((aligned(64))) queue_t;
+
+#if VARYING
+#define INPUTS(b) ((b)->u)
+#else
+#define INPUTS(b) NULL
+#endif
+
+/* Inputs at a fraction of each lane's step. */
+INLINE void set_inputs(block_t *b, const double *fraction)
+{
+#if VARYING
+    LANE_LOOP b->when[l] = b->t[l] + fraction[l] * b->h[l];
+    inputs_at(&b->in, b->terms, b->when, b->u);
+#endif
+}
+
+/* Inputs at a fraction that is the same for all. */
+INLINE void set_inputs_at(block_t *b, double fraction)
+{
+#if VARYING
+    LANE_LOOP b->when[l] = b->t[l] + fraction * b->h[l];
+    inputs_at(&b->in, b->terms, b->when, b->u);
+#endif
+}
 
 /* ---- step control ------------------------------------------------------------------------ */
 
@@ -40,7 +80,7 @@ typedef struct {
  * fast modes that have died out make the error estimate blind, now and then by a factor of a
  * hundred.  The eigenvalue comes from a power iteration that makes one turn a step:
  * turn = J mode. */
-static void cap(block_t *b)
+static void cap(block_t *b, lanes *turn)
 {
     lanes size, grown;
     LANE_LOOP size[l] = grown[l] = 0.0;
@@ -48,7 +88,7 @@ static void cap(block_t *b)
         LANE_LOOP {
             const double w = b->weight[j][l];
             size[l] = larger(size[l], w * fabs(b->mode[j][l]));
-            grown[l] = larger(grown[l], w * fabs(b->turn[j][l]));
+            grown[l] = larger(grown[l], w * fabs(turn[j][l]));
         }
     LANE_LOOP {
         const double growth = grown[l] / (size[l] + DBL_MIN);
@@ -60,8 +100,17 @@ static void cap(block_t *b)
         size[l] = growth > 0.0 ? 1.0 / grown[l] : 0.0;
     }
     for (int j = 0; j < ND; ++j)
-        LANE_LOOP b->mode[j][l] = size[l] > 0.0 ? b->turn[j][l] * size[l] : b->mode[j][l];
+        LANE_LOOP b->mode[j][l] = size[l] > 0.0 ? turn[j][l] * size[l] : b->mode[j][l];
 }
+
+/* Rates at the stage's states in b->at, at c of the step. */
+static void stage_rates(block_t *b, int stage, double c)
+{
+    set_inputs_at(b, c);
+    rates(b->c, INPUTS(b), b->at, b->k[stage]);
+}
+
+/* @ERRORS@ */
 
 /* @STAGES@ */
 
@@ -100,65 +149,10 @@ static void measure(block_t *b, double tol, int between)
         const double h = b->h[l];
         const double pair = h * five[l] / sqrt(five[l] + 0.01 * three[l] + DBL_MIN);
         b->local[l] = b->error[l] = larger(pair, GUARD * h * h * three[l]);
+        b->sharp[l] = five[l];
     }
     if (between)
         measure_between(b, tol);
-}
-
-/* exp(x), within a fifth for |x| < 3 and bounded beyond. */
-INLINE double swell(double x)
-{
-    const double z = fabs(x), p = 1.0 + z * (1.0 + z * (1.0 / 2 + z * (1.0 / 6 + z / 24)));
-    return x < 0.0 ? 1.0 / p : p;
-}
-
-/* Follow the global error, which a local tolerance says nothing about: near a saddle it grows out
- * of all proportion.  Squares are summed, as local errors have no common sign.
- *
- * Along the motion: the velocity f(x(t)) of an autonomous system solves its variational equation,
- * so a local error made at s has grown by |f(t)| / |f(s)| at t, and has moved a quadrature by
- * f(t) - f(s) in the same proportion.
- * Across it: with two dynamic states the area between the velocity and an error grows by the exp of
- * the integral of the trace of J (Liouville), so an error across has grown by that over
- * |f(t)| / |f(s)|.
- *
- * At rest for good |f| fades to nothing, and rounding errors over it mean nothing either. */
-static void follow_error(block_t *b, double t_end)
-{
-    const double rest = REST / t_end;
-    LANE_LOOP {
-        const double e = b->error[l] <= b->tau[l] ? b->local[l] : 0.0;
-        const double head = larger(b->head[l], rest), tail = b->tail[l], per_head = 1.0 / head;
-        const double trace = b->turn[ND][l], shift = e * per_head, side = e * head;
-        const double grown = swell(0.5 * b->passed[l] * (b->spread[l] + trace));
-        const double area = b->area[l] * grown * grown, across = ACROSS * per_head;
-        const double along = e > 0.0 ? (b->drift[l] + shift * shift) * tail * tail : 0.0;
-        b->doubt[l] = larger(b->doubt[l], larger(along, area * across * across));
-        b->shift[l] = shift * shift;
-        b->drift[l] += shift * shift;
-        b->area[l] = area + side * side;
-        b->passed[l] = b->error[l] <= b->tau[l] ? b->h[l] : 0.0;
-        b->spread[l] = trace;
-    }
-    for (int j = ND; j < NS; ++j)
-        LANE_LOOP {
-            const double s = b->shift[l], w = b->weight[j][l];
-            const double first = b->k[0][j][l], last = b->k[STAGES - 1][j][l];
-            const double past = b->past[j][l] + s * first;
-            const double past2 = b->past2[j][l] + s * first * first;
-            const double moved = last * (b->drift[l] * last - 2.0 * past) + past2;
-            b->past[j][l] = past;
-            b->past2[j][l] = past2;
-            b->doubt[l] = larger(b->doubt[l], s > 0.0 ? moved * w * w : 0.0);
-        }
-}
-
-/* The estimated global error of a lane that has come to its end. */
-static double estimate(const block_t *b, int l, double t_end)
-{
-    const double grown = swell(b->passed[l] * b->spread[l]);
-    const double across = ACROSS * grown / larger(b->tail[l], REST / t_end);
-    return sqrt(larger(b->doubt[l], b->area[l] * across * across));
 }
 
 /* x^(-1/8), within 0.5 %: Newton from a guess by the exponent. */
@@ -180,17 +174,26 @@ static int advance(block_t *b, double t_end, double max_steps)
     double ended = 0.0;
 #pragma omp simd reduction(+ : ended)
     for (int l = 0; l < LANES; ++l) {
+#if VARYING
+        const double goal = smaller(t_end, b->in.until[l]);
+#else
+        const double goal = t_end;
+#endif
         const double ratio = b->error[l] / b->tau[l];
         const double wish = SAFETY * inverse_eighth_root(smaller(ratio, 1e30) + 1e-30);
         const double factor = ratio == ratio ? larger(smaller(wish, GROW), SHRINK) : SHRINK;
-        const double past = b->t[l] + b->h[l] >= t_end ? t_end : b->t[l] + b->h[l];
-        const double t = ratio <= 1.0 ? past : b->t[l], rest = t_end - t, h = b->h[l] * factor;
+        const double past = b->h[l] >= goal - b->t[l] ? goal : b->t[l] + b->h[l];
+        const double t = ratio <= 1.0 ? past : b->t[l], rest = goal - t, h = b->h[l] * factor;
         const double steps = b->steps[l] + 1.0;
         const double stuck = ratio == ratio ? (double)STEP_LIMIT : (double)NON_FINITE;
         double state = b->state[l];
         state = steps >= max_steps ? (double)STEP_LIMIT : state;
         state = h < b->least[l] ? stuck : state;
-        state = rest <= 0.0 && state < 0.0 ? (double)OK : state;
+        state = t >= t_end && state < 0.0 ? (double)OK : state;
+#if VARYING
+        /* a step cut short by a break says little about the next one */
+        b->wish[l] = ratio <= 1.0 ? larger(h, b->h[l] < b->wish[l] ? b->wish[l] : h) : h;
+#endif
         b->t[l] = t;
         b->h[l] = h >= rest ? rest : (h + h > rest ? 0.5 * rest : h);
         b->steps[l] = steps;
@@ -200,18 +203,45 @@ static int advance(block_t *b, double t_end, double max_steps)
     return ended > 0.0;
 }
 
+#if VARYING
+/* Go on with the next polynomials where they begin. */
+static void turn_pages(block_t *b, const job_t *job)
+{
+    double turned = 0.0;
+#pragma omp simd reduction(+ : turned)
+    for (int l = 0; l < LANES; ++l)
+        turned += b->t[l] >= b->in.until[l] ? 1.0 : 0.0;
+    for (int l = 0; turned > 0.0 && l < LANES; ++l) {
+        if (!(b->t[l] >= b->in.until[l]) || b->id[l] < 0)
+            continue;
+        enter(&b->in, l, job, b->id[l], b->t[l]);
+        const double rest = smaller(job->t_end, b->in.until[l]) - b->t[l], h = b->wish[l];
+        b->h[l] = h >= rest ? rest : (h + h > rest ? 0.5 * rest : h);
+    }
+}
+#endif
+
 /* @BETWEEN@ */
 
 /* ---- loading and unloading ---------------------------------------------------------------- */
+
+static void queue_rates(queue_t *q, int k, double t, lanes *x)
+{
+#if VARYING
+    LANE_LOOP q->when[l] = t;
+    inputs_at(&q->in, TERMS, q->when, q->u);
+#endif
+    rates(q->c, INPUTS(q), x, q->k[k]);
+}
 
 /* First steps: an explicit Euler probe measures how fast the velocity changes. */
 static void first_steps(queue_t *q, double t_end, double tau)
 {
     const double probe = 1e-4 * t_end, ease = 0.5 * pow(tau, 0.125);
-    rates(q->c, q->w, q->x, q->k[0]);
+    queue_rates(q, 0, 0.0, q->x);
     for (int j = 0; j < NS; ++j)
         LANE_LOOP q->xn[j][l] = q->x[j][l] + probe * q->k[0][j][l];
-    rates(q->c, q->w, q->xn, q->k[1]);
+    queue_rates(q, 1, probe, q->xn);
     LANE_LOOP q->h[l] = 0.0;
     for (int j = 0; j < ND; ++j)
         LANE_LOOP {
@@ -236,6 +266,9 @@ static int fill(queue_t *q, const job_t *job, int64_t *shared, double tau)
         const int64_t i = l < q->count ? id + l : job->n - 1;
         for (int j = 0; j < NS; ++j)
             q->x[j][l] = job->x0[j][i * job->x0_stride[j]];
+#if VARYING
+        enter_first(&q->in, l, job, i);
+#endif
     }
     for (int j = 0; j < NP; ++j)
         for (int l = 0; l < LANES && (job->p_stride[j] || !q->filled); ++l) {
@@ -249,26 +282,36 @@ static int fill(queue_t *q, const job_t *job, int64_t *shared, double tau)
 }
 
 /* Put lane l at the beginning of its trajectory. */
-static void restart(block_t *b, int l, double tau, double h, int watched)
+static void restart(block_t *b, int l, const job_t *job, double tau, double h)
 {
     for (int j = 0; j < NS; ++j) {
         b->x[j][l] = b->begin[j][l];
         b->scale[j][l] = larger(fabs(b->begin[j][l]), SCALE_FLOOR);
         b->weight[j][l] = 1.0 / b->scale[j][l];
-        b->past[j][l] = b->past2[j][l] = 0.0;
     }
-    for (int i = 0; watched && i < ROWS; ++i)
-        b->largest[i][l] = 0.0, b->first[i][l] = INFINITY;
+    for (int i = 0; i < job->n_watches; ++i) {
+        b->largest[i][l] = -INFINITY;
+        b->first[i][l] = INFINITY;
+        b->size[i][l] = 0.0;
+    }
     if (b->tau[l] != tau)
         b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
     b->tau[l] = tau;
     b->h[l] = h;
-    b->t[l] = b->drift[l] = b->area[l] = b->passed[l] = b->spread[l] = b->doubt[l] = 0.0;
+    b->t[l] = 0.0;
     b->state[l] = RUNNING;
     b->growth[l] = b->rho[l] = 0.0;
     for (int j = 0; j < ND; ++j)
         b->mode[j][l] = b->f0[j][l];
     b->next[l] = 0;
+    b->cause[l] = -1;
+    b->stop[l] = 1.0;
+    forget_error(&b->errors, l);
+#if VARYING
+    enter_first(&b->in, l, job, b->id[l]);
+    b->wish[l] = h;
+    b->h[l] = smaller(h, b->in.until[l]);
+#endif
 }
 
 /* Load the queue's next trajectory into lane l, or leave the lane standing still for good. */
@@ -279,6 +322,7 @@ static int load(block_t *b, int l, queue_t *q, const job_t *job, int64_t *shared
     b->h[l] = 0.0;
     b->t[l] = b->least[l] = -1.0;
     b->steps[l] = -INFINITY;
+    b->stop[l] = 1.0;
     if (q->used == q->count && !fill(q, job, shared, tau))
         return 0;
     const int from = q->used++;
@@ -291,7 +335,7 @@ static int load(block_t *b, int l, queue_t *q, const job_t *job, int64_t *shared
     b->least[l] = SHORTEST * job->t_end;
     b->steps[l] = 0.0;
     b->retries[l] = 0;
-    restart(b, l, tau, b->h0[l], job->largest != NULL);
+    restart(b, l, job, tau, b->h0[l]);
     return 1;
 }
 
@@ -302,14 +346,15 @@ static void unload(const block_t *b, int l, const job_t *job)
     for (int j = 0; j < NS; ++j)
         if (job->final[j])
             job->final[j][i] = whole ? b->x[j][l] : NAN;
-    for (int j = 0; job->largest && j < ROWS; ++j)
-        if (job->largest[j]) {
-            job->largest[j][i] = b->largest[j][l];
-            job->first[j][i] = b->first[j][l];
-        }
+    for (int j = 0; j < job->n_watches; ++j) {
+        job->watches[j].largest[i] = b->largest[j][l];
+        job->watches[j].first[i] = b->first[j][l];
+    }
     for (int j = 0; job->samples && j < ROWS; ++j)
         for (int64_t s = b->next[l]; job->samples[j] && s < job->n_times; ++s)
             job->samples[j][i * job->n_times + s] = NAN;
+    job->end[i] = b->t[l];
+    job->cause[i] = (int8_t)b->cause[l];
     job->steps[i] = (int32_t)b->steps[l];
     job->estimate[i] = estimate(b, l, job->t_end);
     job->status[i] = (int8_t)b->state[l];
@@ -329,7 +374,7 @@ static int retry(block_t *b, int l, const job_t *job)
     }
     const double finer = larger(0.3 * b->tau[l] * trusted / found, FINEST);
     ++b->retries[l];
-    restart(b, l, finer, b->h0[l] * pow(finer / b->tau[l], 0.125), job->largest != NULL);
+    restart(b, l, job, finer, b->h0[l] * pow(finer / b->tau[l], 0.125));
     return 1;
 }
 
@@ -340,7 +385,10 @@ static void work(const job_t *job, int64_t *shared)
     block_t b;
     queue_t q = {.used = 0, .count = 0};
     memset(&b, 0, sizeof b);
-    const int between = job->samples || job->largest;
+#if VARYING
+    b.terms = most_terms(job);
+#endif
+    const int between = job->samples || job->n_watches;
     const double tau = larger(SHARE * job->tol, FINEST);
     int running = 0;
     for (int l = 0; l < LANES; ++l)
@@ -351,13 +399,19 @@ static void work(const job_t *job, int64_t *shared)
             prepare_dense(&b);
         measure(&b, job->tol, between);
         if (between) {
+            if (job->n_watches)
+                watch(&b, job);
             if (job->samples)
                 sample(&b, job);
-            if (job->largest)
-                watch(&b, job);
         }
         follow_error(&b, job->t_end);
-        if (!advance(&b, job->t_end, (double)job->max_steps))
+        int ended = advance(&b, job->t_end, (double)job->max_steps);
+        if (job->n_watches)
+            ended |= finish(&b);
+#if VARYING
+        turn_pages(&b, job);
+#endif
+        if (!ended)
             continue;
         for (int l = 0; l < LANES; ++l) {
             if (b.state[l] == RUNNING || b.id[l] < 0 || retry(&b, l, job))

@@ -12,6 +12,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from .graph import CURVES, Graph
 
@@ -95,6 +96,11 @@ def loop_function(head: str, body: Sequence[str]) -> str:
     return block(head, ["LANE_LOOP {", *(f"    {line}" for line in body), "}"])
 
 
+def guarded(condition: str, text: str) -> str:
+    """C that is compiled only under a condition."""
+    return f"#if {condition}\n{text}#endif\n"
+
+
 # --- Phases -----------------------------------------------------------------------------------
 
 
@@ -108,13 +114,13 @@ class Schedule:
 
 
 def schedule(graph: Graph, targets: Sequence[int]) -> Schedule:
-    """Begin a new phase wherever a curve follows another curve."""
+    """Begin a new phase wherever a curve follows another curve; leaves can be read in any."""
     links: dict[int, int] = {}
     phase: dict[int, int] = {}
     last: dict[int, int] = {}  # last phase in which a node is read
     for node in graph.closure(targets):
-        if graph.varies[node]:
-            args = [a for a in graph.nodes[node].args if graph.varies[a]]
+        if graph.varies[node] and graph.nodes[node].op != "leaf":
+            args = [a for a in graph.nodes[node].args if a in phase]
             curve = graph.nodes[node].op in CURVES
             links[node] = max((links[a] for a in args), default=0) + curve
             phase[node] = max([*(phase[a] for a in args), links[node] - 1 if curve else 0])
@@ -123,64 +129,63 @@ def schedule(graph: Graph, targets: Sequence[int]) -> Schedule:
     return Schedule(phase, 1 + max(phase.values(), default=0), crossing)
 
 
-@dataclass(frozen=True)
-class Phases:
-    """C text of the functions ``name0, name1, ...``, their number and that of scratch arrays."""
+class Described(Protocol):
+    """A graph, and which of its nodes are found in ``c``."""
 
-    text: str
-    count: int
-    scratch: int
+    @property
+    def graph(self) -> Graph: ...
+    @property
+    def constants(self) -> Sequence[int]: ...
 
 
 def phase_functions(
+    part: str,
     name: str,
-    graph: Graph,
-    constants: Sequence[int],
+    described: Described,
     targets: Sequence[tuple[int, str]],
-    leaves: Sequence[str],
-) -> Phases:
-    """Inline functions of one lane that together compute the targets.
+    arrays: Sequence[str],
+    reading: Mapping[str, str],
+) -> str:
+    """A C function of all lanes that computes the targets, one loop for each phase.
 
     Parameters
     ----------
-    name : str
-        Of the functions; a number is appended.
-    graph : Graph
-    constants : sequence of int
-        Nodes found in ``c``.
+    part, name : str
+        How the functions of one lane begin, and the name of the whole.
+    described : Described
+        The graph, and what in it is constant.
     targets : sequence of tuple
-        Nodes, and the C places where they go.
-    leaves : sequence of str
-        Arguments of the first function: states (and a direction).
+        Nodes, and the statements that put their values away.
+    arrays : sequence of str
+        Parameters of the functions.
+    reading : mapping
+        First letter of a leaf -> how its value is had, by its number.
     """
+    graph = described.graph
     plan = schedule(graph, [node for node, _ in targets])
-    known = {node: f"c[{k}][l]" for k, node in enumerate(constants)}
-    arguments = {n: graph.nodes[n].name for n in plan.phase if graph.nodes[n].op == "leaf"}
+    known = {node: f"c[{k}][l]" for k, node in enumerate(described.constants)}
+    scratch = {node: f"w[{k}][l]" for k, node in enumerate(plan.crossing)}
+    parameters = ", ".join([*arrays, "lanes *w", "int l"])
     functions = []
     for step in range(plan.count):
-        local = known | (arguments if step == 0 else {})
+        here = [node for node, phase in plan.phase.items() if phase == step]
         out = [(node, place) for node, place in targets if plan.phase.get(node, 0) == step]
-        keep = [node for node in plan.crossing if plan.phase[node] == step]
-        here = [node for node in plan.phase if plan.phase[node] == step]
-        body = statements(graph, here, local)
-        body += [f"w[{plan.crossing.index(node)}][l] = {local[node]};" for node in keep]
-        body += [f"{place} = {operand(graph, node, local)};" for node, place in out]
-        inputs = "".join(f", double {leaf}" for leaf in leaves) if step == 0 else ""
-        head = (
-            f"INLINE void {name}{step}(const lanes *c, lanes *w, lanes *f, lanes *g, int l{inputs})"
-        )
-        functions.append(block(head, body))
-        known |= {node: f"w[{plan.crossing.index(node)}][l]" for node in keep}
-    return Phases("\n".join(functions), plan.count, len(plan.crossing))
-
-
-def call_phases(
-    name: str, count: int, where: str, arguments: Sequence[str], before: Sequence[str] = ()
-) -> list[str]:
-    """Loops over the lanes, one for each phase; ``where`` names the arrays ``c, w, f, g``."""
-    first = ", ".join([where, "l", *arguments])
-    lines = ["LANE_LOOP {", *(f"    {line}" for line in before), f"    {name}0({first});", "}"]
-    return lines + [f"LANE_LOOP {name}{k}({where}, l);" for k in range(1, count)]
+        read = {a for n in here for a in graph.nodes[n].args} | {node for node, _ in out}
+        leaves = [n for n in sorted(read) if graph.nodes[n].op == "leaf" and graph.varies[n]]
+        local = known | {n: graph.nodes[n].name for n in leaves}
+        body = []
+        for leaf in (graph.nodes[n].name for n in leaves):
+            body.append(f"const double {leaf} = {reading[leaf[0]].format(leaf[1:])};")
+        body += statements(graph, here, local)
+        body += [f"{scratch[n]} = {local[n]};" for n in plan.crossing if plan.phase[n] == step]
+        body += [place.format(operand(graph, node, local)) for node, place in out]
+        functions.append(block(f"INLINE void {part}{step}({parameters})", body))
+        known |= {n: scratch[n] for n in plan.crossing if plan.phase[n] == step}
+    call = ", ".join([*(array.split()[-1].lstrip("*") for array in arrays), "w", "l"])
+    loops = [f"LANE_LOOP {part}{step}({call});" for step in range(plan.count)]
+    room = f"lanes w[{max(1, len(plan.crossing))}];"
+    functions.append(block(f"APART void {name}({', '.join(arrays)})", [room, *loops]))
+    return "\n".join(functions)
 
 
 # --- Polynomials ------------------------------------------------------------------------------

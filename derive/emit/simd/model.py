@@ -1,23 +1,23 @@
 """What every kernel of a model needs: its nodes, and the C functions that compute them.
 
-The model is read from CasADi's SX instructions (`graph`); the text of a kernel is joined from it,
-from the numbers of ``coefficients.json``, and from a driver, which is C that knows no model.
+The model is read from CasADi's SX instructions (`graph`); the text of its kernels is joined from
+it, from the numbers of ``coefficients.json``, and from drivers, which are C that knows no model.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import casadi as ca
 
+from .ensemble import LANES, ensemble_driver
 from .graph import Graph
 from .lanes import (
-    Phases,
     block,
-    call_phases,
     elementary,
+    guarded,
     loop_function,
     operand,
     phase_functions,
@@ -25,92 +25,163 @@ from .lanes import (
     template,
 )
 from .sums import read
+from .trajectory import NODES, trajectory_driver
 
 
 @dataclass(frozen=True)
-class KernelModel:
-    """The nodes that a kernel computes.
+class Carried:
+    """A set of states that can be integrated by itself.
+
+    Attributes
+    ----------
+    states : tuple of int
+        In this order; those on which a rate depends come first.
+    dynamic : int
+        How many of them that is. The others are quadratures and need no stage values.
+    outputs : tuple of int
+        The outputs that need no other state.
+    """
+
+    states: tuple[int, ...]
+    dynamic: int
+    outputs: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Equations:
+    """The nodes that a kernel computes, with inputs constant or changing in time.
 
     Attributes
     ----------
     graph : Graph
-    states : tuple of int
-        Which of the model's states are carried, in this order; those on which a rate depends
-        come first.
-    dynamic : int
-        How many of them that is. The others are quadratures and need no stage values.
-    rates, turns, outputs : list of int
-        Rates of the states; derivatives of the dynamic ones along a direction; outputs.
-    constants : list of int
-        What does not change over a trajectory.
-    n_parameters : int
-        Number of inputs and parameters.
+    rates, outputs : list of int
+        Of all states; of the model.
+    along, turns : list of int
+        Derivatives of the rates along an error ``e`` and along a mode ``m``.
+    spread : int
+        Trace of the Jacobian.
+    varying : bool
+        Whether inputs change in time.
     """
 
     graph: Graph
-    states: tuple[int, ...]
-    dynamic: int
     rates: list[int]
+    outputs: list[int]
+    along: list[int]
     turns: list[int]
     spread: int
-    outputs: list[int]
-    constants: list[int]
+    varying: bool
+
+    @cached_property
+    def constants(self) -> list[int]:
+        """What does not change over a trajectory."""
+        needed = [*self.rates, *self.outputs, *self.along, *self.turns, self.spread]
+        return self.graph.hoisted(needed)
+
+
+@dataclass(frozen=True)
+class KernelModel:
+    """A model as its kernels know it.
+
+    Attributes
+    ----------
+    carried : tuple of Carried
+        The sets of states that are offered, the smallest first.
+    held, varying : Equations
+        With constant inputs, and with inputs over time.
+    in_plane : bool
+        Whether two states drive each other and the rest follows.
+    n_inputs, n_parameters : int
+    """
+
+    carried: tuple[Carried, ...]
+    held: Equations
+    varying: Equations
+    in_plane: bool
+    n_inputs: int
     n_parameters: int
 
-    @property
-    def moving(self) -> tuple[int, ...]:
-        """The dynamic states."""
-        return self.states[: self.dynamic]
 
-    @cached_property
-    def rate(self) -> Phases:
-        """The right-hand side of one lane: C functions ``rate0, rate1, ...``."""
-        results = [(node, f"f[{j}][l]") for j, node in enumerate(self.rates)]
-        leaves = [f"x{j}" for j in self.moving]
-        return phase_functions("rate", self.graph, self.constants, results, leaves)
-
-    @cached_property
-    def turn(self) -> Phases:
-        """The right-hand side together with its derivative along a direction."""
-        results = [(node, f"f[{j}][l]") for j, node in enumerate(self.rates)]
-        results += [(node, f"g[{j}][l]") for j, node in enumerate([*self.turns, self.spread])]
-        leaves = [f"x{j}" for j in self.moving] + [f"d{j}" for j in self.moving]
-        return phase_functions("turn", self.graph, self.constants, results, leaves)
-
-
-def read_model(rhs: ca.Function, outputs: ca.Function, keep: Iterable[int]) -> KernelModel:
+def read_model(
+    rhs: ca.Function, outputs: ca.Function, keep: Iterable[Iterable[int]] = ()
+) -> KernelModel:
     """Read a model's functions.
 
     Parameters
     ----------
     rhs, outputs : casadi.Function
-        SX functions (x, u, p) -> xdot and (x, u, p) -> y; u and p are constant over a trajectory.
-    keep : iterable of int
-        States that are wanted; others are carried only if these or the outputs depend on them.
+        SX functions (x, u, p) -> xdot and (x, u, p) -> y.
+    keep : iterable of iterables of int
+        Sets of states that are offered beside the set of all; what they depend on is added.
     """
+    held, varying = _equations(rhs, outputs, False), _equations(rhs, outputs, True)
+    needs = _needs(rhs)
+    seen = _needs(outputs)
+    sets = [_carried(needs, seen, states) for states in (*keep, range(len(needs)))]
+    core = [j for j in range(len(needs)) if j in _closure(needs, needs[j])]
+    return KernelModel(
+        carried=tuple(dict.fromkeys(sorted(sets, key=lambda each: len(each.states)))),
+        held=held,
+        varying=varying,
+        in_plane=len(core) == 2,
+        n_inputs=rhs.numel_in(1),
+        n_parameters=rhs.numel_in(2),
+    )
+
+
+def _equations(rhs: ca.Function, outputs: ca.Function, varying: bool) -> Equations:
     graph = Graph()
     n_states, n_inputs, n_parameters = (rhs.numel_in(k) for k in range(3))
-    x = [graph.leaf(f"x{j}", varies=True) for j in range(n_states)]
-    p = [graph.leaf(f"p{j}", varies=False) for j in range(n_inputs + n_parameters)]
-    leaves = [x, p[:n_inputs], p[n_inputs:]]
-    rates = read(graph, rhs, leaves)
-    seen = read(graph, outputs, leaves)
-    states = set(keep) | _states_read(graph, seen, x)
-    while more := _states_read(graph, [rates[j] for j in states], x) - states:
-        states |= more
-    dynamic = _states_read(graph, [rates[j] for j in states], x)
-    order = (*sorted(dynamic), *sorted(states - dynamic))
-    kept = [rates[j] for j in order]
-    moving = order[: len(dynamic)]
-    mode = [
-        graph.leaf(f"d{j}", varies=True) if j in moving else graph.number(0.0)
-        for j in range(n_states)
-    ]
-    turned = read(graph, _directional(rhs), [*leaves, mode])
-    turns = [turned[j] for j in moving]
+    x, e, m = ([graph.leaf(f"{kind}{j}", True) for j in range(n_states)] for kind in "xem")
+    u = [graph.leaf(f"u{j}" if varying else f"p{j}", varying) for j in range(n_inputs)]
+    p = [graph.leaf(f"p{n_inputs + j}", False) for j in range(n_parameters)]
+    leaves = [x, u, p]
+    rates, seen = read(graph, rhs, leaves), read(graph, outputs, leaves)
+    moving = _moving(_needs(rhs))
+    turn = _directional(rhs)
+    zero = graph.number(0.0)
+    along, turns = (
+        read(graph, turn, [*leaves, [d if j in moving else zero for j, d in enumerate(each)]])
+        for each in (e, m)
+    )
     (spread,) = read(graph, _divergence(rhs, moving), leaves)
-    constants = graph.hoisted([*kept, *seen, *turns, spread])
-    return KernelModel(graph, order, len(dynamic), kept, turns, spread, seen, constants, len(p))
+    return Equations(graph, rates, seen, along, turns, spread, varying)
+
+
+# --- What depends on what ----------------------------------------------------------------------
+
+
+def _needs(function: ca.Function) -> list[set[int]]:
+    """For each result of (x, u, p) the states that it depends on."""
+    pattern = function.jac_sparsity(0, 0)
+    rows: list[set[int]] = [set() for _ in range(function.numel_out(0))]
+    for row, column in zip(*pattern.get_triplet(), strict=True):
+        rows[row].add(column)
+    return rows
+
+
+def _moving(needs: Sequence[set[int]]) -> list[int]:
+    """The states on which rates depend."""
+    return sorted(set().union(*needs))
+
+
+def _closure(needs: Sequence[set[int]], states: Iterable[int]) -> set[int]:
+    """States, and all that their rates depend on."""
+    found: set[int] = set()
+    stack = list(states)
+    while stack:
+        state = stack.pop()
+        if state not in found:
+            found.add(state)
+            stack.extend(needs[state])
+    return found
+
+
+def _carried(needs: Sequence[set[int]], seen: Sequence[set[int]], states: Iterable[int]) -> Carried:
+    kept = _closure(needs, states)
+    moving = {j for state in kept for j in needs[state]}
+    order = (*sorted(moving), *sorted(kept - moving))
+    return Carried(order, len(moving), tuple(i for i, each in enumerate(seen) if each <= kept))
 
 
 def _directional(rhs: ca.Function) -> ca.Function:
@@ -125,106 +196,140 @@ def _divergence(rhs: ca.Function, moving: Sequence[int]) -> ca.Function:
     """``(x, u, p) -> sum of d xdot_j / d x_j`` over the dynamic states."""
     arguments = rhs.sx_in()
     jacobian = ca.jacobian(rhs(*arguments), arguments[0])
-    spread = ca.sum1(ca.vertcat(*(jacobian[j, j] for j in moving)))
+    spread = ca.sum1(ca.vertcat(ca.SX(1, 1), *(jacobian[j, j] for j in moving)))
     return ca.Function("divergence", arguments, [ca.densify(spread)])
 
 
-def _states_read(graph: Graph, targets: Sequence[int], x: Sequence[int]) -> set[int]:
-    """Indices of the states on which the targets depend."""
-    needed = set(graph.closure(targets))
-    return {j for j, node in enumerate(x) if node in needed}
+# --- Functions of the model --------------------------------------------------------------------
 
 
-# --- Functions of the model -----------------------------------------------------------------
-
-
-def constants_function(model: KernelModel) -> str:
+def _constants(equations: Equations) -> str:
     """``constants(p, c)``: everything that does not change over a trajectory."""
-    graph = model.graph
+    graph = equations.graph
     name = {
         i: f"p[{node.name[1:]}][l]"
         for i, node in enumerate(graph.nodes)
         if node.op == "leaf" and not graph.varies[i]
     }
-    body = statements(graph, model.constants, name)
-    body += [f"c[{k}][l] = {name[node]};" for k, node in enumerate(model.constants)]
+    body = statements(graph, equations.constants, name)
+    body += [f"c[{k}][l] = {name[node]};" for k, node in enumerate(equations.constants)]
     return loop_function("static void constants(const lanes *p, lanes *c)", body)
 
 
-def rates_function(model: KernelModel) -> str:
-    """``rates(c, w, x, f)``: the right-hand side for all lanes."""
-    states = [f"x[{j}][l]" for j in range(model.dynamic)]
-    calls = call_phases("rate", model.rate.count, "c, w, f, f", states)
-    return block("static void rates(const lanes *c, lanes *w, const lanes *x, lanes *f)", calls)
+#: What the functions of lanes read: C arrays, and how the values in them are had.
+_READ = {"x": "MOVE(x, S{})", "e": "MOVE(e, S{})", "m": "MOVE(m, S{})", "u": "u[{}][l]"}
 
 
-def output_function(model: KernelModel) -> str:
-    """``output(c, l, x0, ..., &y0, ...)``: the outputs of one lane."""
-    graph, leaves = model.graph, "".join(f", double x{j}" for j in model.states)
-    results = "".join(f", double *y{i}" for i in range(len(model.outputs)))
-    name = {node: f"c[{k}][l]" for k, node in enumerate(model.constants)}
-    for i in graph.closure(model.outputs):
-        if graph.nodes[i].op == "leaf" and graph.varies[i]:
-            name[i] = graph.nodes[i].name
-    body = statements(graph, model.outputs, name)
-    body += [f"*y{k} = {operand(graph, node, name)};" for k, node in enumerate(model.outputs)]
-    return block(f"INLINE void output(const lanes *c, int l{leaves}{results})", body)
+def _rates(equations: Equations) -> str:
+    """``rates(c, u, x, f)``: the right-hand side for all lanes."""
+    targets = [(node, f"WRITE(f, S{j}, {{}});") for j, node in enumerate(equations.rates)]
+    arrays = ("const lanes *c", "const lanes *u", "const lanes *x", "lanes *f")
+    return phase_functions("rate", "rates", equations, targets, arrays, _READ)
 
 
-def observe_lanes_function(model: KernelModel) -> str:
-    """``observe_lanes(c, x, y)``: the outputs for all lanes at once."""
-    head = "static void observe_lanes(const lanes *c, const lanes *x, lanes *y)"
-    return loop_function(head, [_output_call(model, "l")])
-
-
-def observe_row_function(model: KernelModel) -> str:
-    """``observe_row(c, l, x, y, count)``: the outputs of one lane at many times."""
-    head = (
-        "static void observe_row(const lanes *c, int l, double (*x)[TILE], double (*y)[TILE],"
-        " int count)"
+def _plane_turns(equations: Equations) -> str:
+    """``turns(c, x, m, f, g, trace)``: rates, their derivatives along m, the Jacobian's trace."""
+    targets = [(node, f"WRITE(f, S{j}, {{}});") for j, node in enumerate(equations.rates)]
+    targets += [(node, f"WRITE_MOVING(g, S{j}, {{}});") for j, node in enumerate(equations.turns)]
+    targets.append((equations.spread, "trace[l] = {};"))
+    inputs, results = (
+        ("const lanes *c", "const lanes *x", "const lanes *m"),
+        ("lanes *f", "lanes *g"),
     )
-    loop = ['_Pragma("omp simd")', "for (int s = 0; s < count; ++s)"]
-    return block(head, [*loop, f"    {_output_call(model, 's')}"])
+    arrays = (*inputs, *results, "double *trace")
+    return phase_functions("turn", "turns", equations, targets, arrays, _READ)
 
 
-def _output_call(model: KernelModel, index: str) -> str:
-    states = [f"x[{j}][{index}]" for j in range(len(model.states))]
-    results = [f"&y[{i}][{index}]" for i in range(len(model.outputs))]
-    return f"output(c, l, {', '.join([*states, *results])});"
+def _turns(equations: Equations) -> str:
+    """``turns(c, u, x, e, m, f, r, g)``: rates, and their derivatives along e and along m."""
+    targets = [(node, f"WRITE(f, S{j}, {{}});") for j, node in enumerate(equations.rates)]
+    targets += [(node, f"WRITE(r, S{j}, {{}});") for j, node in enumerate(equations.along)]
+    targets += [(node, f"WRITE_MOVING(g, S{j}, {{}});") for j, node in enumerate(equations.turns)]
+    arrays = (*(f"const lanes *{s}" for s in "cuxem"), *(f"lanes *{s}" for s in "frg"))
+    return phase_functions("turn", "turns", equations, targets, arrays, _READ)
 
 
-# --- The text of a kernel ---------------------------------------------------------------------
+def _outputs(equations: Equations) -> Iterator[str]:
+    """``output``, and with it ``observe_lanes(c, u, x, y)`` and ``observe_row(c, l, u, x, y, n)``.
 
-
-def kernel_text(model: KernelModel, lanes: int, functions: Iterable[str], driver: str) -> str:
-    """C source: what every kernel begins with, functions of the model, and a driver.
-
-    Parameters
-    ----------
-    model : KernelModel
-    lanes : int
-        Number of lanes of a block.
-    functions : iterable of str
-        C functions of the model.
-    driver : str
-        C that knows no model.
+    The first has the outputs of all lanes, the second those of one lane at many times.
     """
-    sizes = {
-        "NS": len(model.states),
-        "ND": model.dynamic,
-        "NP": model.n_parameters,
-        "NC": max(1, len(model.constants)),
-        "NW": max(1, model.rate.scratch, model.turn.scratch),
-        "NY": len(model.outputs),
-        "NY1": max(1, len(model.outputs)),
+    graph = equations.graph
+    name = {node: f"c[{k}][l]" for k, node in enumerate(equations.constants)}
+    used = graph.closure(equations.outputs)
+    leaves = {
+        i: graph.nodes[i].name for i in used if graph.nodes[i].op == "leaf" and graph.varies[i]
     }
+    known = name | leaves
+    body = statements(graph, equations.outputs, known)
+    body += [f"*y{k} = {operand(graph, i, known)};" for k, i in enumerate(equations.outputs)]
+    given = "".join(f", double {leaf}" for leaf in leaves.values())
+    made = "".join(f", double *y{k}" for k in range(len(equations.outputs)))
+    yield block(f"INLINE void output(const lanes *c, int l{given}{made})", body)
+
+    def call(index: str) -> str:
+        read = {"x": f"PICK(x, S{{}}, {index})", "u": f"u[{{}}][{index}]"}
+        values = [read[leaf[0]].format(leaf[1:]) for leaf in leaves.values()]
+        places = [f"&y[{k}][{index}]" for k in range(len(equations.outputs))]
+        return f"output({', '.join(['c', 'l', *values, *places])});"
+
+    head = "APART void observe_lanes(const lanes *c, const lanes *u, const lanes *x, lanes *y)"
+    yield loop_function(head, [call("l")])
+    head = (
+        "APART void observe_row(const lanes *c, int l, double (*u)[TILE], double (*x)[TILE],"
+        " double (*y)[TILE], int count)"
+    )
+    loop = ['_Pragma("omp simd")', "for (int s = 0; s < count; ++s)", f"    {call('s')}"]
+    yield block(head, loop)
+
+
+# --- The text of the kernels -------------------------------------------------------------------
+
+
+def kernel_text(model: KernelModel) -> str:
+    """C source: what every kernel begins with, the model, and the drivers."""
+    plane = _plane_turns(model.held) if model.in_plane else _turns(model.held)
+    kinds = ((model.varying, _turns(model.varying)), (model.held, plane))
+    varying, held = ("\n".join(_functions(*each)) for each in kinds)
     return template(
         "model.c",
         {
-            "@LANES@": str(lanes),
+            "@LANES@": str(LANES),
+            "@NODES@": str(NODES),
             "/* @ELEMENTARY@ */": elementary(),
-            "/* @SIZES@ */": f"enum {{ {', '.join(f'{k} = {n}' for k, n in sizes.items())} }};",
-            "/* @MODEL@ */": "\n".join(functions),
-            "/* @DRIVER@ */": driver,
+            "/* @SIZES@ */": "\n".join(_sizes(model)),
+            "/* @MODEL@ */": f"#if VARYING\n{varying}\n#else\n{held}\n#endif",
+            "/* @ENSEMBLE@ */": ensemble_driver(),
+            "/* @TRAJECTORY@ */": trajectory_driver(),
         },
     )
+
+
+def _functions(equations: Equations, turns: str) -> Iterator[str]:
+    yield _constants(equations)
+    yield _rates(equations)
+    yield guarded("DRIVER == 1", turns)
+    yield from _outputs(equations)
+
+
+def _sizes(model: KernelModel) -> Iterator[str]:
+    n_states = len(model.held.rates)
+    for index, carried in enumerate(model.carried):
+        place = {state: k for k, state in enumerate(carried.states)}
+        states = ", ".join(f"S{j} = {place.get(j, -1)}" for j in range(n_states))
+        yield f"#{'el' if index else ''}if CARRY == {index}"
+        yield f"enum {{ NS = {len(place)}, ND = {carried.dynamic}, {states} }};"
+    yield "#endif"
+    outputs = len(model.held.outputs)
+    sizes = {
+        "NU": model.n_inputs,
+        "NP": model.n_inputs + model.n_parameters,
+        "NY": outputs,
+        "NU1": max(1, model.n_inputs),
+        "NY1": max(1, outputs),
+        "ND1": "ND ? ND : 1",
+    }
+    yield f"enum {{ {', '.join(f'{k} = {n}' for k, n in sizes.items())} }};"
+    constants = [max(1, len(each.constants)) for each in (model.varying, model.held)]
+    yield "enum {{ NC = VARYING ? {} : {} }};".format(*constants)
+    yield f"#define PLANE {int(model.in_plane)}"

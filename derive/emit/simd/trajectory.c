@@ -16,13 +16,17 @@ static const double COARSEST = 1e-8;       /* finest work tolerance that costs h
 static const double MARGIN = 0.1;          /* work tolerance / tol, below that */
 static const double SHARE = 0.03;          /* what sweeps may leave undone / work tolerance */
 static const double CUT = 0.1;             /* what the polynomial may cut off / work tolerance */
-static const double AT_NODES = 0.01;       /* what of the cut is felt at the end of a step */
 static const double PACE = 0.3;            /* wanted ratio of a sweep's change to the last one's */
 static const double SLOW = 0.8;            /* ratio at which a step is given up */
 static const double SHRINK = 0.3, GROW = 3.0;  /* step / step before */
 
 typedef struct {
-    lanes c[NC], w[NW], x[NS], f[NS];      /* constants; states and rates at the nodes */
+    lanes c[NC], x[NS], f[NS];             /* constants; states and rates at the nodes */
+#if VARYING
+    inputs_t in;
+    lanes u[NU1], when;
+    int terms;
+#endif
     double wave[NS][LANES];                /* Chebyshev coefficients of the rates over the step */
     double path[NS][LANES + 1];            /* and of the states */
     double begin[NS], end[NS], scale[NS], past[NS];
@@ -30,6 +34,32 @@ typedef struct {
     double ratio, left, cut, drift, estimate;
     int64_t next;
 } __attribute__((aligned(64))) step_t;
+
+#if VARYING
+#define INPUTS(s) ((s)->u)
+#else
+#define INPUTS(s) NULL
+#endif
+
+#if VARYING
+/* What holds for the first lane holds for all. */
+static void share_inputs(step_t *s)
+{
+    for (int j = 0; j < NU; ++j)
+        for (int m = 0; m <= TERMS; ++m)
+            for (int l = 1; l < LANES; ++l)
+                s->in.row[j][m][l] = s->in.row[j][m][0];
+}
+#endif
+
+/* Inputs at times t + h (1 + node) / 2. */
+INLINE void set_inputs(step_t *s, double t, double h)
+{
+#if VARYING
+    LANE_LOOP s->when[l] = t + 0.5 * h * (1.0 + NODE[l]);
+    inputs_at(&s->in, s->terms, s->when, s->u);
+#endif
+}
 
 /* ---- one step ----------------------------------------------------------------------------- */
 
@@ -79,9 +109,10 @@ static double sweep(step_t *s)
 static int converge(step_t *s, double tol)
 {
     double change = INFINITY;
+    set_inputs(s, s->t, s->h);
     for (int count = 1; count <= MOST_SWEEPS; ++count) {
         const double now = sweep(s);
-        rates(s->c, s->w, s->x, s->f);
+        rates(s->c, INPUTS(s), s->x, s->f);
         s->ratio = count > 2 && change > 0.0 ? now / change : 0.0;
         s->left = now * (count > 2 ? smaller(1.0, s->ratio / larger(1.0 - s->ratio, 0.1)) : 1.0);
         if (count > 1 && s->left <= SHARE * tol)
@@ -125,12 +156,17 @@ static void expand(step_t *s)
     s->span = s->h;
 }
 
+#if PLANE && !VARYING
+#define CHECKED 0
+static const double AT_NODES = 0.01;       /* what of the cut is felt at the end of a step */
+static const double REST = 1e-9;           /* scales per t_end: slower than that is at rest */
+
 /* Follow the global error along the motion: a local error made at s has grown by about
  * |f(t)| / |f(s)| at t, and has moved a quadrature by f(t) - f(s) in the same proportion.  Steps
  * are good to far less than tol, so that nothing has to be followed across it. */
-static void follow_error(step_t *s, double rest)
+static void follow_error(step_t *s, double t_end)
 {
-    double first[NS], last[NS], head = rest, tail = 0.0;
+    double first[NS], last[NS], head = REST / t_end, tail = 0.0;
     for (int j = 0; j < NS; ++j) {
         double even = 0.0, odd = 0.0;
         for (int k = 0; k < LANES; k += 2)
@@ -152,6 +188,25 @@ static void follow_error(step_t *s, double rest)
     }
 }
 
+#else
+#define CHECKED 1
+/* How far two runs with different tolerances are apart is followed instead, at so many times. */
+static void follow_error(step_t *s, double t_end) {}
+#endif
+enum { CHECKS = 16 };
+
+/* State j at z from -1 to 1 in the step. */
+INLINE double state_at(const step_t *s, int j, double z)
+{
+    double before = 0.0, now = 0.0;
+    for (int k = LANES; k > 0; --k) {
+        const double next = s->path[j][k] + 2.0 * z * now - before;
+        before = now;
+        now = next;
+    }
+    return s->path[j][0] + z * now - before;
+}
+
 /* ---- the trajectory ------------------------------------------------------------------------ */
 
 /* Start with constant rates; an explicit Euler probe measures how fast they change. */
@@ -160,6 +215,10 @@ static void start(step_t *s, const job_t *job)
     const double probe = 1e-4 * job->t_end;
     lanes now[NS];
     double change = 0.0;
+#if VARYING
+    enter_first(&s->in, 0, job, 0);
+    share_inputs(s);
+#endif
     memset(s->wave, 0, sizeof s->wave);
     for (int j = 0; j < NS; ++j) {
         s->begin[j] = *job->x0[j];
@@ -167,12 +226,14 @@ static void start(step_t *s, const job_t *job)
         s->past[j] = 0.0;
         LANE_LOOP s->x[j][l] = s->begin[j];
     }
-    rates(s->c, s->w, s->x, now);
+    set_inputs(s, 0.0, 0.0);
+    rates(s->c, INPUTS(s), s->x, now);
     for (int j = 0; j < NS; ++j) {
         s->wave[j][0] = now[j][0];
         LANE_LOOP s->x[j][l] += probe * now[j][l];
     }
-    rates(s->c, s->w, s->x, s->f);
+    set_inputs(s, probe, 0.0);
+    rates(s->c, INPUTS(s), s->x, s->f);
     for (int j = 0; j < ND; ++j)
         change = larger(change, fabs(s->f[j][0] - now[j][0]) / (fabs(now[j][0]) + SCALE_FLOOR));
     s->h = larger(smaller(probe / (change + DBL_MIN), job->t_end), 1e-6 * job->t_end);
@@ -182,32 +243,34 @@ static void start(step_t *s, const job_t *job)
     s->next = 0;
 }
 
-/* States and outputs at the sample times within the step. */
+/* States and outputs at the sample times before the end of the step, or to it if it is the last. */
 static void sample(step_t *s, const job_t *job, double end)
 {
     double at[NS][TILE], y[NY1][TILE], z[TILE];
-    while (s->next < job->n_times && job->times[s->next] <= end) {
+#if VARYING
+    double u[NU1][TILE];
+#else
+    double (*u)[TILE] = NULL;
+#endif
+    const double upto = end >= job->t_end ? INFINITY : end;
+    while (s->next < job->n_times && job->times[s->next] < upto) {
         int count = 0;
         for (; count < TILE && s->next + count < job->n_times; ++count) {
-            if (job->times[s->next + count] > end)
+            if (job->times[s->next + count] >= upto)
                 break;
             z[count] = 2.0 * (job->times[s->next + count] - s->t) / s->h - 1.0;
         }
         for (int j = 0; j < NS; ++j) {
-            const double *path = s->path[j];
 #pragma omp simd
-            for (int i = 0; i < count; ++i) {
-                double before = 0.0, now = 0.0;
-                for (int k = LANES; k > 0; --k) {
-                    const double next = path[k] + 2.0 * z[i] * now - before;
-                    before = now;
-                    now = next;
-                }
-                at[j][i] = path[0] + z[i] * now - before;
-            }
+            for (int i = 0; i < count; ++i)
+                at[j][i] = state_at(s, j, z[i]);
         }
-        if (job->observed)
-            observe_row(s->c, 0, at, y, count);
+        if (job->observed) {
+#if VARYING
+            inputs_row(&s->in, s->terms, 0, job->times + s->next, u, count);
+#endif
+            observe_row(s->c, 0, u, at, y, count);
+        }
         for (int j = 0; j < ROWS; ++j)
             if (job->samples[j])
                 memcpy(job->samples[j] + s->next, j < NS ? at[j] : y[j - NS],
@@ -216,12 +279,27 @@ static void sample(step_t *s, const job_t *job, double end)
     }
 }
 
+/* Keep the states at the checks that lie in the step. */
+static void keep(const step_t *s, const job_t *job, double end, double (*kept)[NS])
+{
+    for (int i = 0; i < CHECKS; ++i) {
+        const double t = job->t_end * (i + 1.0) / CHECKS, z = 2.0 * (t - s->t) / s->h - 1.0;
+        for (int j = 0; t > s->t && t <= end && j < NS; ++j)
+            kept[i][j] = state_at(s, j, z);
+    }
+}
+
 /* Go to the end with sweeps and polynomials good to tau; the status. */
-static int travel(step_t *s, const job_t *job, double tau, int64_t *steps)
+static int travel(step_t *s, const job_t *job, double tau, int64_t *steps, double (*kept)[NS])
 {
     start(s, job);
     while (s->t < job->t_end) {
-        const double rest = job->t_end - s->t;
+#if VARYING
+        const double goal = smaller(job->t_end, s->in.until[0]);
+#else
+        const double goal = job->t_end;
+#endif
+        const double rest = goal - s->t, wish = s->h;
         s->h = s->h >= rest ? rest : (s->h + s->h > rest ? 0.5 * rest : s->h);
         if (++*steps >= job->max_steps)
             return STEP_LIMIT;
@@ -240,15 +318,38 @@ static int travel(step_t *s, const job_t *job, double tau, int64_t *steps)
         }
         for (int j = 0; j < NS; ++j)
             s->scale[j] = larger(s->scale[j], fabs(s->end[j]));
-        follow_error(s, REST / job->t_end);
-        const double end = s->h >= rest ? job->t_end : s->t + s->h;
+        follow_error(s, job->t_end);
+        const double end = s->h >= rest ? goal : s->t + s->h;
         sample(s, job, end);
+        if (CHECKED)
+            keep(s, job, end, kept);
         memcpy(s->begin, s->end, sizeof s->begin);
         s->t = end;
         s->from = 1.0;
         s->h *= larger(smaller(smaller(room, PACE / (s->ratio + DBL_MIN)), GROW), SHRINK);
+#if VARYING
+        if (end >= goal) {
+            s->h = larger(s->h, wish);         /* what is cut short by a break says little */
+            enter(&s->in, 0, job, 0, end);
+            share_inputs(s);
+        }
+#else
+        (void)wish;
+#endif
     }
     return OK;
+}
+
+/* Largest difference of the states kept by two runs, relative to the scales. */
+static double apart(const step_t *s, double (*one)[NS], double (*other)[NS])
+{
+    double most = 0.0;
+    for (int i = 0; i < CHECKS; ++i)
+        for (int j = 0; j < NS; ++j) {
+            const double d = fabs(one[i][j] - other[i][j]) / s->scale[j];
+            most = d > most || d != d ? d : most;
+        }
+    return most;
 }
 
 /* Integrate the one trajectory of the job. */
@@ -256,18 +357,27 @@ __attribute__((visibility("default"))) void trace(const job_t *job)
 {
     step_t s;
     lanes p[NP];
+    double kept[2][CHECKS][NS];
     int64_t steps = 0;
     int status = UNSURE;
     for (int j = 0; j < NP; ++j)
         LANE_LOOP p[j][l] = *job->p[j];
     constants(p, s.c);
+#if VARYING
+    s.terms = most_terms(job);
+#endif
     double tau = smaller(MARGIN * job->tol, COARSEST);
     for (int attempt = 0; attempt <= RETRIES; ++attempt) {
-        status = travel(&s, job, tau, &steps);
-        if (status != OK || s.estimate <= job->tol)
+        status = travel(&s, job, tau, &steps, kept[attempt % 2]);
+        if (status != OK)
+            break;
+        if (CHECKED)
+            s.estimate = attempt ? apart(&s, kept[0], kept[1]) : INFINITY;
+        if (s.estimate <= job->tol)
             break;
         status = UNSURE;
-        tau = larger(0.3 * tau * job->tol / s.estimate, FINEST);
+        const double finer = CHECKED ? 0.1 : 0.3 * job->tol / s.estimate;
+        tau = larger(finer * tau, FINEST);
     }
     for (int j = 0; j < ROWS; ++j)
         for (int64_t i = s.next; job->samples[j] && i < job->n_times; ++i)

@@ -1,31 +1,19 @@
-"""C text of a kernel that integrates one trajectory, its lanes being moments of a step."""
+"""C text of the driver that integrates one trajectory, its lanes being moments of a step."""
 
 from __future__ import annotations
 
+from functools import cache
+
 from .lanes import NUMBERS, literal, template
-from .model import (
-    KernelModel,
-    constants_function,
-    kernel_text,
-    observe_row_function,
-    output_function,
-    rates_function,
-)
 
 _NODES = NUMBERS["collocation"]["nodes"]
+NODES = len(_NODES)
 
 
-def trajectory_kernel(model: KernelModel) -> str:
-    """The kernel of a model for single trajectories."""
-    functions = (
-        constants_function(model),
-        model.rate.text,
-        rates_function(model),
-        output_function(model),
-        observe_row_function(model),
-    )
-    driver = template("trajectory.c", {"/* @COLLOCATION@ */": _tables()})
-    return kernel_text(model, len(_NODES), functions, driver)
+@cache
+def trajectory_driver() -> str:
+    """The driver, with the numbers of the method; no model in it."""
+    return template("trajectory.c", {"/* @COLLOCATION@ */": _tables()})
 
 
 def _tables() -> str:

@@ -1,0 +1,1 @@
+"""Motion over time: one engine of compiled kernels behind everything that integrates."""
