@@ -50,28 +50,6 @@ class Event(NamedTuple):
     meaning: str
 
 
-class Kernel(NamedTuple):
-    """Emitted integrators of some states of a model, and what a caller must know of them."""
-
-    source: str
-    digest: str
-    states: tuple[str, ...]
-    outputs: tuple[str, ...]
-    order: tuple[str, ...]
-    inputs: tuple[str, ...]
-    parameters: tuple[str, ...]
-
-    @property
-    def rows(self) -> tuple[str, ...]:
-        """What can be sampled and watched: its states, then the outputs of the model."""
-        return (*self.states, *self.outputs)
-
-    @property
-    def pack(self) -> Pack:
-        """The pack that it belongs to."""
-        return read_pack(Path(self.source).parent.parent)
-
-
 @dataclass(frozen=True)
 class Pack:
     """The facts of a pack, and its functions.
@@ -96,7 +74,9 @@ class Pack:
         Which state is ``heading``, ``offset``, ``speed``, ... where there is one.
     places : tuple of Place
     events : tuple of Event
-    kernels : mapping of str to Kernel
+    carried, seen : tuple of tuple of str
+        The sets of states that its kernels can carry, the smallest first, and for each the outputs
+        that need no other state.
     """
 
     folder: Path
@@ -115,7 +95,8 @@ class Pack:
     roles: Mapping[str, str] = ()  # type: ignore[assignment]
     places: tuple[Place, ...] = ()
     events: tuple[Event, ...] = ()
-    kernels: Mapping[str, Kernel] = ()  # type: ignore[assignment]
+    carried: tuple[tuple[str, ...], ...] = ()
+    seen: tuple[tuple[str, ...], ...] = ()
 
     def __hash__(self) -> int:
         return hash((self.folder, self.digest))
@@ -221,18 +202,6 @@ def _pack(folder: Path, facts: Mapping[str, Any]) -> Pack:
         for name in ("states", "dynamic", "inputs", "parameters", "outputs", "abilities")
     }
 
-    def kernel(name: str, states: list[str]) -> Kernel:
-        source = str(folder / "c" / name)
-        return Kernel(
-            source,
-            facts["digest"],
-            tuple(states),
-            groups["outputs"],
-            groups["states"],
-            groups["inputs"],
-            groups["parameters"],
-        )
-
     return Pack(
         folder=folder,
         name=facts["name"],
@@ -244,6 +213,7 @@ def _pack(folder: Path, facts: Mapping[str, Any]) -> Pack:
         roles=facts.get("roles", {}),
         places=tuple(Place(*place) for place in facts.get("places", ())),
         events=tuple(Event(*event) for event in facts.get("events", ())),
-        kernels={name: kernel(name, states) for name, states in facts.get("kernels", {}).items()},
+        carried=tuple(map(tuple, facts.get("carried", ()))),
+        seen=tuple(map(tuple, facts.get("seen", ()))),
         **groups,
     )
