@@ -9,7 +9,7 @@ import sympy as sp
 from .body import SPEEDS, SUMS, Body
 from .equation import Chain, Equation, expand, needed, ordered
 from .frames import components, i
-from .part import Force, Part
+from .part import Force, Fz, Part
 from .quantity import Quantity
 
 
@@ -110,8 +110,7 @@ def loads(
     standing = {
         n: load
         for n, (part, force) in enumerate(zip(parts, forces, strict=True))
-        if (load := body.feel(part).load.of(part.name if part.suffix is None else part.suffix))
-        not in defined
+        if (load := Fz.of(part.name if part.suffix is None else part.suffix)) not in defined
         and load in _used(force)
     }
     if not standing:

@@ -7,6 +7,8 @@ order.
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 from sympy.physics.vector import ReferenceFrame, Vector, dynamicsymbols
 
@@ -47,14 +49,15 @@ def rotation(is_level: bool) -> sp.Matrix:
     return matrix.subs({phi: 0, theta: 0}) if is_level else matrix
 
 
+@cache
 def attitude_rates() -> dict[Quantity, sp.Expr]:
     """Rates of roll, pitch and heading by the body's angular velocity."""
     rates = [angle.diff(TIME) for angle in _ANGLES]
     turning = BODY.ang_vel_in(GROUND).to_matrix(BODY)
-    solution = sp.solve(list(turning - sp.Matrix([p, q, r])), rates, dict=True)[0]
+    by_rate = turning.jacobian(rates)  # the angular velocity is linear in them
+    solution = by_rate.inv().applyfunc(sp.trigsimp) * sp.Matrix([p, q, r])
     return {
-        angle: sp.trigsimp(solution[rate].subs(_ANGLES))
-        for rate, angle in zip(rates, _ANGLES.values(), strict=True)
+        angle: rate.subs(_ANGLES) for angle, rate in zip(_ANGLES.values(), solution, strict=True)
     }
 
 

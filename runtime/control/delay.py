@@ -65,7 +65,7 @@ class Plant:
         N = np.stack([np.poly(A - np.outer(B, c)) - D for c in C])
         scale = np.abs(N).max(axis=1, keepdims=True)
         N = np.where(np.abs(N) <= 1e-14 * scale, 0.0, N)
-        return cls(N, np.polymul(D, [lag, 1.0]) if lag else D)
+        return cls(N, np.asarray(np.polymul(D, [lag, 1.0]) if lag else D, dtype=np.float64))
 
     def loop(self, gains: FloatArray) -> Loop:
         """The open loop with these gains."""
@@ -178,7 +178,7 @@ def best_gains(
         x = np.clip(share, 0.0, 1.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = low * (high / low) ** x
-        return np.where((low > 0) & (high > low), ratio, low + x * (high - low))
+        return np.asarray(np.where((low > 0) & (high > low), ratio, low + x * (high - low)))
 
     def lost(share: FloatArray) -> float:
         delay = delay_limit(plant.loop(gains(share)), margins)
