@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from dataclasses import replace as _replace
@@ -13,11 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import FloatArray, broadcast, common_shape, physical
-from .errors import GroundrollError
+from .arrays import FloatArray, broadcast, common_shape, physical, stored
+from .errors import GroundrollError, shown
 from .evaluate import elementwise
 from .generated import build
 from .listing import Listed
+from .memory import check_memory
 from .models import ModelLike, as_model
 from .names import FUNCTIONS, PARAMETERS, symbol
 from .parameters import NotGivenError, parameters_of, stacked
@@ -74,10 +76,11 @@ def _checked(key: str, value: Any) -> FloatArray:
     array = physical(key, value)
     if array.size == 0:
         raise GroundrollError(f"{_label(key)} must have a value, but it is an empty array")
-    if array.flags.writeable or not array.flags.owndata:
-        array = array.copy()
-        array.setflags(write=False)
-    return array
+    own = stored(array)
+    if own.flags.writeable or not own.flags.owndata:
+        own = own.copy()
+        own.setflags(write=False)
+    return own if own.shape == array.shape else np.broadcast_to(own, array.shape)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -114,7 +117,9 @@ class Aircraft(Listed):
     def __post_init__(self) -> None:
         values = self.given
         if not isinstance(values, _Checked):
-            values = {key: _checked(key, value) for key, value in values.items()}
+            allowed, where = parameter_symbols(), f"aircraft {shown(self.name)}"
+            named = {symbol(s, "parameter", allowed, where): v for s, v in values.items()}
+            values = {key: _checked(key, value) for key, value in named.items()}
         common_shape(values)
         object.__setattr__(self, "given", MappingProxyType(values))
         object.__setattr__(self, "own", MappingProxyType(dict(self.own)))
@@ -263,6 +268,7 @@ class Aircraft(Listed):
         arrays, shape = broadcast({**values, **others})
         if 0 in shape:
             raise GroundrollError(f"nothing is given: the arrays broadcast to {shape}")
+        check_memory(8 * math.prod(shape) * len(arrays), "the parameters of so many cases")
         flat = {name: array.ravel() for name, array in arrays.items()}
         return np.stack([flat[s] for s in values]), {name: flat[name] for name in others}, shape
 

@@ -17,7 +17,8 @@ from typing import Any, TypeAlias
 
 from .aircraft import Aircraft, Source
 from .consistency import contradictions
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, listed, one_of
+from .files import as_path, text_of
 from .names import QUANTITIES
 from .tire_size import friction_on
 
@@ -26,7 +27,8 @@ Place: TypeAlias = tuple[str, ...]
 
 #: A text over several lines, and the key or the table that a line begins with.
 _LONG = re.compile(r'("""|\'\'\').*?\1', re.DOTALL)
-_KEY = re.compile(r"\s*(?:\[(?P<table>[^\[\]]+)\]|(?P<key>[\w.\-\"' ]+?)\s*=)")
+_TABLE = re.compile(r"\[([^\[\]]+)\]")
+_KEY = re.compile(r"([\w.\-\"' ]+)=")
 
 
 @dataclass(frozen=True)
@@ -61,12 +63,11 @@ class AircraftFileError(GroundrollError):
     path : Path
         The file.
     mistakes : tuple of Mistake
-        All of them.
+        The first fifty of them.
     """
 
-    def __init__(self, path: Path, mistakes: list[Mistake]) -> None:
-        count = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
-        super().__init__("\n  ".join([f"{path} has {count}:", *map(str, mistakes)]))
+    def __init__(self, path: Path, mistakes: list[Mistake], more: int = 0) -> None:
+        super().__init__(listed(str(path), mistakes, more))
         self.path = path
         self.mistakes = tuple(mistakes)
 
@@ -74,14 +75,15 @@ class AircraftFileError(GroundrollError):
 def load(name: str | Path) -> Aircraft:
     """Read a packaged aircraft by name, or an aircraft file by path; see `Aircraft.load`."""
     path = locate(name)
+    text = text_of(path)
     try:
-        text = path.read_text(encoding="utf-8-sig")
-        data = tomllib.loads(text)
-    except OSError as problem:
-        raise GroundrollError(f"cannot read {path}: {problem.strerror}") from problem
-    except ValueError as problem:  # of the text or of the TOML
+        return _aircraft(path, tomllib.loads(text), _lines(text))
+    except GroundrollError:
+        raise
+    except ValueError as problem:
         raise GroundrollError(f"{path} is not valid TOML: {problem}") from problem
-    return _aircraft(path, data, _lines(text))
+    except RecursionError as problem:
+        raise GroundrollError(f"{path} is nested too deeply for an aircraft file") from problem
 
 
 def packaged_files(suffix: str = ".toml") -> dict[str, Path]:
@@ -93,19 +95,18 @@ def packaged_files(suffix: str = ".toml") -> dict[str, Path]:
 
 def locate(name: str | Path) -> Path:
     """The file of a packaged aircraft by name, or a path as it is."""
-    path = Path(name)
+    path = as_path(name)
     if path.suffix == ".toml":
         return path
     files = packaged_files()
-    if str(name) not in files:
-        raise unknown("aircraft", str(name), files, "the packaged ones (a file ends in .toml)")
-    return files[str(name)]
+    where = "the packaged ones (a file ends in .toml)"
+    return files[one_of("aircraft", str(name), files, where)]
 
 
 def _aircraft(path: Path, data: dict[str, Any], lines: Mapping[Place, int]) -> Aircraft:
     from .aircraft_schema import entries, implied, surface, validate
 
-    file, wrong = validate(data, path)
+    file, wrong, more = validate(data, path)
     given: dict[str, Any] = {}
     sources: dict[str, Source] = {}
     places: dict[str, Place] = {}
@@ -128,7 +129,7 @@ def _aircraft(path: Path, data: dict[str, Any], lines: Mapping[Place, int]) -> A
         wrong.append((place, problem.found, problem.expected))
     if wrong:
         mistakes = [Mistake(".".join(p), _line(p, lines), *words) for p, *words in wrong]
-        raise AircraftFileError(path, sorted(mistakes, key=lambda m: m.line or math.inf))
+        raise AircraftFileError(path, sorted(mistakes, key=lambda m: m.line or math.inf), more)
     return plane
 
 
@@ -152,10 +153,11 @@ def _lines(text: str) -> dict[Place, int]:
     found: dict[Place, int] = {}
     table: Place = ()
     without = _LONG.sub(lambda long: "\n" * long[0].count("\n"), text)
-    for number, line in enumerate(without.split("\n"), start=1):
-        if match := _KEY.match(line):
-            names = (match["table"] or match["key"]).split(".")
-            place = (*(() if match["table"] else table), *(name.strip(" \t\"'") for name in names))
-            table = place if match["table"] else table
+    for number, line in enumerate(map(str.strip, without.split("\n")), start=1):
+        new = _TABLE.match(line)
+        if match := new or _KEY.match(line):
+            names = (name.strip(" \t\"'") for name in match[1].split("."))
+            place = (*(() if new else table), *names)
+            table = place if new else table
             found.setdefault(place, number)
     return found

@@ -20,7 +20,7 @@ from pydantic_core import ErrorDetails, PydanticCustomError
 
 from .aircraft import Source, parameter_symbols
 from .aircraft_file import Place, packaged_files
-from .errors import GroundrollError, UnexpectedError
+from .errors import MOST_MISTAKES, GroundrollError, UnexpectedError, shown
 from .names import QUANTITIES
 from .tire_size import Implied, friction_on, of_main_tires, of_tail_tire
 from .units import expected, to_si
@@ -70,12 +70,12 @@ def _fitted(value: Any, info: pydantic.ValidationInfo) -> tuple[Implied, ...]:
     file = beside if beside.is_file() else packaged.get(str(value).removesuffix(".csv"))
     if not isinstance(value, str) or file is None:
         wanted = f"a CSV file beside {path.name}, or a packaged one: {', '.join(packaged)}"
-        raise UnexpectedError("table", repr(value), wanted)
+        raise UnexpectedError("table", shown(value), wanted)
     try:
         parameters = fit_tire(file).parameters
         return tuple(Implied(s, x, f"fitted to {value}") for s, x in parameters.items())
     except GroundrollError as problem:
-        found = f"{value!r}: {problem}"
+        found = f"{shown(value)}: {problem}"
         raise UnexpectedError("table", found, "a table that can be fitted") from None
 
 
@@ -169,7 +169,7 @@ class File(Table):
     runway: Runway | None = None
 
 
-def validate(data: dict[str, Any], path: Path) -> tuple[File, list[tuple[Place, str, str]]]:
+def validate(data: dict[str, Any], path: Path) -> tuple[File, list[tuple[Place, str, str]], int]:
     """An aircraft file as far as it is right, and what is wrong with the rest of it.
 
     Parameters
@@ -183,16 +183,18 @@ def validate(data: dict[str, Any], path: Path) -> tuple[File, list[tuple[Place, 
     -------
     file : File
     mistakes : list of (place, found, expected)
+    more : int
+        How many there are beside these.
     """
     try:
-        return File.model_validate(data, context=path), []
+        return File.model_validate(data, context=path), [], 0
     except pydantic.ValidationError as problem:
         errors = problem.errors(include_url=False)
-    mistakes = [_mistake(error, data) for error in errors]
+    mistakes = [_mistake(error, data) for error in errors[:MOST_MISTAKES]]
     # pydantic keeps nothing of a file with a mistake, and the rest may have others
-    for (*tables, name), _, _ in mistakes:
+    for *tables, name in map(_place, errors):
         reduce(getitem, tables, data).pop(name, None)
-    return File.model_validate(data, context=path), mistakes
+    return File.model_validate(data, context=path), mistakes, len(errors) - len(mistakes)
 
 
 def entries(
@@ -238,17 +240,23 @@ def _written(entry: Any, field: str) -> Any:
     return entry.get(field) if isinstance(entry, dict) else entry
 
 
+def _place(error: ErrorDetails) -> Place:
+    """Where the entry with a mistake stands."""
+    whole = tuple(map(str, error["loc"]))
+    return whole if error["type"] == "unknown_key" or len(whole) == 1 else whole[:-1]
+
+
 def _mistake(error: ErrorDetails, data: Any) -> tuple[Place, str, str]:
     """Place of an entry, what was found there, and what was expected."""
-    kind, place = error["type"], tuple(map(str, error["loc"]))
+    kind, place = error["type"], _place(error)
     if kind == "unknown_key":
         return place, "an unknown key", _nearest(place)
-    if len(place) == 1:
-        return place, repr(data[place[0]]), "a text" if kind == "string_type" else "a table"
-    *entry, field = place
+    if len(error["loc"]) == 1:
+        return place, shown(data[place[0]]), "a text" if kind == "string_type" else "a table"
+    entry, field = place, str(error["loc"][-1])
     if kind == "value_error":
-        return tuple(entry), error["ctx"]["error"].found, error["ctx"]["error"].expected
-    found = repr(_written(reduce(getitem, entry, data), field))
+        return entry, error["ctx"]["error"].found, error["ctx"]["error"].expected
+    found = shown(_written(reduce(getitem, entry, data), field))
     near = get_close_matches(field, Entry.model_fields, n=1) or Entry.model_fields
     q = _quantity(tuple(entry))
     wanted = expected(q.unit) if q else _EXAMPLES.get(entry[-1], "a text")
@@ -260,7 +268,7 @@ def _mistake(error: ErrorDetails, data: Any) -> tuple[Place, str, str]:
         "string_type": (f"source = {found}", "a text"),
         "bool_type": (f"estimate = {found}", "true or false"),
     }
-    return tuple(entry), *words.get(kind, (found, possible))
+    return entry, *words.get(kind, (found, possible))
 
 
 def _nearest(place: Place) -> str:

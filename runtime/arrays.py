@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .errors import GroundrollError
+from .errors import GroundrollError, shown
 from .generated import Quantity
+from .memory import check_memory
 from .models import ModelLike, as_model
 from .names import QUANTITIES
 from .units import UnitError, expected, to_si
@@ -27,10 +28,18 @@ _SIGNS = {">0": (np.greater, "positive"), ">=0": (np.greater_equal, "zero or pos
 def finite(name: str, value: Any, unit: str = "1") -> FloatArray:
     """`value` as an array of finite floats; what it may be, and errors, as for `in_si`."""
     array = in_si(name, value, unit)
-    good = np.isfinite(array)
+    own = stored(array)
+    good = np.isfinite(own)
     if not good.all():
-        raise GroundrollError(f"{name} must be finite, but {_where(name, array, ~good)}")
+        raise GroundrollError(f"{name} must be finite, but {_where(name, own, ~good)}")
     return array
+
+
+def stored(array: FloatArray) -> FloatArray:
+    """What an array has in memory: of what is only broadcast, once."""
+    if all(array.strides):
+        return array
+    return array[tuple(slice(None if step else 1) for step in array.strides)]
 
 
 def in_si(name: str, value: Any, unit: str = "1") -> FloatArray:
@@ -52,7 +61,11 @@ def in_si(name: str, value: Any, unit: str = "1") -> FloatArray:
         NumPy would make a number of is not always what was meant.
     """
     if type(value) is np.ndarray and value.dtype.kind in "fiu":
-        return np.asarray(value, dtype=np.float64)
+        check_memory(8 * value.size, name)
+        own = np.asarray(stored(value), dtype=np.float64)
+        return own if own.shape == value.shape else np.broadcast_to(own, value.shape)
+    if isinstance(value, range):
+        check_memory(8 * max(0, (value.stop - value.start) // value.step), name)
     try:
         return np.asarray(_in_si(name, value, unit), dtype=np.float64)
     except GroundrollError:
@@ -65,7 +78,7 @@ def positive(name: str, value: Any, unit: str = "1") -> float:
     """`value` as one positive number."""
     number = finite(name, value, unit)
     if number.ndim or number <= 0:
-        raise GroundrollError(f"{name} must be a positive number, not {_shown(value)}")
+        raise GroundrollError(f"{name} must be a positive number, not {shown(value)}")
     return float(number)
 
 
@@ -73,7 +86,7 @@ def whole(name: str, value: Any, least: int) -> int:
     """`value` as a whole number, not below `least`."""
     number = finite(name, value)
     if number.ndim or number < least or number % 1:
-        raise GroundrollError(f"{name} must be a whole number from {least}, not {_shown(value)}")
+        raise GroundrollError(f"{name} must be a whole number from {least}, not {shown(value)}")
     return int(number)
 
 
@@ -95,10 +108,11 @@ def physical_of(quantity: Quantity, value: Any) -> FloatArray:
     array = finite(label, value, quantity.unit)
     if quantity.sign:
         accept, words = _SIGNS[quantity.sign]
-        good = accept(array, 0.0)
+        own = stored(array)
+        good = accept(own, 0.0)
         if not good.all():
             raise GroundrollError(
-                f"{label} must be {words}, but {_where(quantity.symbol, array, ~good)}"
+                f"{label} must be {words}, but {_where(quantity.symbol, own, ~good)}"
             )
     return array
 
@@ -186,7 +200,7 @@ def _of_quantity(name: str, value: Any, unit: str) -> FloatArray:
             raise UnitError(name, "no multiple of an SI unit", expected(unit))
         return finite(name, root.magnitude) * to_si(f"1 {root.units:D}", unit, name)
     except UnitError as problem:
-        found = f"{_shown(value)}, {problem.found.rpartition(', ')[2]}"
+        found = f"{shown(value)}, {problem.found.rpartition(', ')[2]}"
         raise UnitError(name, found, problem.expected) from None
 
 
@@ -194,17 +208,8 @@ def _no_number(name: str, value: Any) -> GroundrollError:
     plain = type(value) is np.ndarray
     kind = f"{value.dtype} array" if plain else type(value).__name__
     return GroundrollError(
-        f"{name} must be a number or an array of numbers, not {_shown(value)} ({kind})"
+        f"{name} must be a number or an array of numbers, not {shown(value)} ({kind})"
     )
-
-
-def _shown(value: Any) -> str:
-    """A value as Python shows it, or the beginning of that."""
-    try:
-        text = " ".join(repr(value).split())
-    except (ValueError, RecursionError):  # an integer of thousands of digits, lists within lists
-        return "what is too long to show"
-    return text if len(text) <= 80 else f"{text[:77]}..."
 
 
 def _where(name: str, array: FloatArray, bad: npt.NDArray[np.bool_]) -> str:

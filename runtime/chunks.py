@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 
 from .arrays import FloatArray, whole
-from .errors import GroundrollError
+from .generated.kernels import processors
 
 T = TypeVar("T")
 R = TypeVar("R")
 
-#: Bytes that are there in any case.
-_LITTLE = 2**24
 #: Chunks that wait at an executor, so that it never idles and memory stays bounded.
 _WAITING = 32
 
@@ -92,32 +88,8 @@ def piece(array: FloatArray, shape: tuple[int, ...], chunk: range) -> FloatArray
 
 
 def thread_count(threads: Any) -> int:
-    """Number of threads to use; every processor this process may run on if None."""
-    if threads is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
-    return whole("threads", threads, 1)
+    """Number of threads to use; every processor this process may run on if None.
 
-
-def check_memory(needed: int, what: str) -> None:
-    """Refuse what does not fit into memory, before any work starts."""
-    if needed > _LITTLE and needed > (there := _available()):
-        raise GroundrollError(
-            f"{what} take {_gigabytes(needed)}, but there are only {_gigabytes(there)} of memory;"
-            " ask for fewer names or times, or run parts one after the other"
-        )
-
-
-def _gigabytes(size: int) -> str:
-    return f"{size / 2**30:.1f} GiB"
-
-
-def _available() -> int:
-    """Bytes that can still be had: what the system says, or the limit of its container."""
-    found = [os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")]
-    try:
-        lines = Path("/proc/meminfo").read_text().splitlines()
-        found += [int(x.split()[1]) * 1024 for x in lines if x.startswith("MemAvailable")]
-        found.append(int(Path("/sys/fs/cgroup/memory.max").read_text()))
-    except (OSError, ValueError):
-        pass
-    return min(found)
+    Where the work is done no more are made than help there.
+    """
+    return processors() if threads is None else whole("threads", threads, 1)

@@ -18,7 +18,7 @@ from .errors import GroundrollError, unknown
 from .generated import Pack
 from .models import ModelLike, as_model
 from .motion.lanes import STATUS, Outcome, Task, Watch
-from .names import QUANTITIES, symbol
+from .names import QUANTITIES, listed, symbol
 
 #: Status of a trajectory that left a range.
 LEFT = STATUS.index("left the range")
@@ -233,12 +233,6 @@ def _check_name(name: str, others: Iterable[str]) -> None:
 @cache
 def _parameter_names() -> dict[str, None]:
     return dict.fromkeys(n for s in parameter_symbols() for n in (s, QUANTITIES[s].name))
-
-
-def listed(what: str, names: Iterable[str]) -> list[str]:
-    if isinstance(names, str):
-        raise GroundrollError(f"{what} must be a list of names, not the string {names!r}")
-    return list(names)
 
 
 def _in_body_axes(model: Pack) -> tuple[str, ...]:

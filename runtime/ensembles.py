@@ -9,9 +9,11 @@ from functools import partial
 from typing import Any
 
 from .aircraft import Aircraft
-from .chunks import check_memory, cut, run, thread_count
+from .chunks import cut, run, thread_count
 from .ensemble_plan import plan, watching
 from .ensemble_result import Ensemble
+from .generated.kernels import Outcome, Task
+from .memory import check_memory
 from .models import ModelLike
 from .motion import lanes
 from .motion.lanes import Outcome, Task

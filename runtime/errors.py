@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Sequence
+from typing import Any
+
+#: Characters of what was given that a message shows.
+_LONG = 80
+#: Mistakes that are listed: whoever has more has one in common to all.
+MOST_MISTAKES = 50
 
 
 class GroundrollError(ValueError):
@@ -32,6 +38,25 @@ class UnknownNameError(GroundrollError, KeyError):
         return str(self.args[0])
 
 
+def listed(what: str, mistakes: Sequence[Any], more: int = 0) -> str:
+    """The message for mistakes, the first of them with a line each.
+
+    Parameters
+    ----------
+    what : str
+        What has them.
+    mistakes : sequence
+        Each as it is to be read.
+    more : int
+        How many there are beside these.
+    """
+    total = len(mistakes) + more
+    lines = [f"{what} has {total} mistake{'s' if total > 1 else ''}:"]
+    lines += map(str, mistakes[:MOST_MISTAKES])
+    left = total - len(mistakes[:MOST_MISTAKES])
+    return "\n  ".join([*lines, f"and {left} more"] if left else lines)
+
+
 def beyond(what: str) -> GroundrollError:
     """The error for numbers whose products leave what a double can hold (1e-308 to 1e308)."""
     return GroundrollError(
@@ -39,10 +64,27 @@ def beyond(what: str) -> GroundrollError:
     )
 
 
-def unknown(kind: str, name: str, allowed: Iterable[str], where: str = "") -> UnknownNameError:
+def unknown(kind: str, name: Any, allowed: Iterable[str], where: str = "") -> UnknownNameError:
     """The error for an unknown name, with the nearest right ones."""
     choices = list(allowed)
-    near = difflib.get_close_matches(name, choices, n=3, cutoff=0.5)
+    text = name if isinstance(name, str) else ""
+    near = difflib.get_close_matches(text[:_LONG], choices, n=3, cutoff=0.5)
     hint = f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(choices)}"
     place = f" in {where}" if where else ""
-    return UnknownNameError(f"unknown {kind} {name!r}{place}; {hint}")
+    return UnknownNameError(f"unknown {kind} {shown(name)}{place}; {hint}")
+
+
+def one_of(kind: str, name: Any, allowed: Collection[str], where: str = "") -> str:
+    """A name that is one of those `allowed`; otherwise the error says which there are."""
+    if isinstance(name, str) and name in allowed:
+        return name
+    raise unknown(kind, name, allowed, where)
+
+
+def shown(value: Any) -> str:
+    """A value as Python shows it, or the beginning of that."""
+    try:
+        text = " ".join(repr(value).split())
+    except Exception:  # an integer of thousands of digits, lists within lists, a class's own
+        return f"a {type(value).__name__} that cannot be shown"
+    return text if len(text) <= _LONG else f"{text[: _LONG - 3]}..."

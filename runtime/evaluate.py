@@ -15,6 +15,7 @@ import numpy as np
 from . import generated
 from .arrays import FloatArray, broadcast
 from .generated import kernels
+from .memory import check_memory
 
 #: Points per call of a generated function: few enough to stay in the cache.
 _BLOCK = 256
@@ -41,6 +42,8 @@ def elementwise(
     """
     function = generated.load(name) if isinstance(name, str) else name
     arrays, shape = broadcast({key: arguments[key] for key in function.name_in()})
+    numbers = math.prod(shape) * (function.n_in() + function.n_out())
+    check_memory(8 * numbers, f"arguments and results of {function.name()}")
     if isinstance(name, str) and math.prod(shape) >= _MANY and _can_sweep(name):
         found = {key: np.empty(shape) for key in function.name_out()}
         sweep_into(name, arguments, shape, found)

@@ -9,11 +9,48 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
-from .errors import GroundrollError
+from .errors import GroundrollError, shown
 
 #: Where a path stands for what a process has opened, whatever that is.
 _OPENED = "/proc/"
+
+
+def as_path(value: Any) -> Path:
+    """A path; `GroundrollError` if it is none."""
+    try:
+        return Path(value)
+    except TypeError:
+        raise GroundrollError(f"a path must be a text, not {shown(value)}") from None
+
+
+def text_of(path: Path, most: int = 2**18) -> str:
+    """The text of an ordinary file of at most so many bytes.
+
+    Raises
+    ------
+    GroundrollError
+        If there is none, or it is anything else: a folder, a pipe that might never end, too large
+        to be written by people, or not in UTF-8.
+    """
+    try:
+        about = path.stat()
+        if not stat.S_ISREG(about.st_mode):
+            kind = "a folder" if stat.S_ISDIR(about.st_mode) else "no ordinary file"
+            raise GroundrollError(f"cannot read {path}: it is {kind}")
+        if about.st_size > most:
+            sizes = f"it has {about.st_size:_} bytes, and no more than {most:_} are read"
+            raise GroundrollError(f"cannot read {path}: {sizes}")
+        return path.read_text(encoding="utf-8-sig")
+    except OSError as problem:
+        raise GroundrollError(f"cannot read {path}: {problem.strerror}") from problem
+    except UnicodeDecodeError as problem:
+        raise GroundrollError(f"{path} is not a text file (UTF-8): {problem}") from problem
+    except ValueError as problem:
+        if isinstance(problem, GroundrollError):
+            raise
+        raise GroundrollError(f"cannot read {shown(str(path))}: {problem}") from problem
 
 
 @contextmanager

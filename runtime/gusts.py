@@ -21,10 +21,10 @@ import numpy as np
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, as_inputs, finite
-from .chunks import check_memory
 from .errors import GroundrollError
 from .evaluate import columns
 from .gust_forces import OneMinusCosine, Samples, Step, Sum, Until
+from .memory import check_memory
 from .models import ModelLike, as_model
 
 #: Bytes for each millisecond in which a jump is looked for.

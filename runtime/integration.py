@@ -12,8 +12,8 @@ import casadi as ca
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .chunks import check_memory
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, one_of
+from .memory import check_memory
 from .models import ModelLike, as_model
 
 METHODS = ("rk45", "rk4")
@@ -81,8 +81,7 @@ def integrator(
         For an unknown model or method, or times that do not increase from above zero.
     """
     as_model(model)
-    if method not in METHODS:
-        raise unknown("method", method, METHODS)
+    one_of("method", method, METHODS)
     longest = _LONGEST[method] if step is None else float(finite("step", step, "s"))
     if longest <= 0:
         raise GroundrollError(f"step must be positive, not {longest}")
@@ -252,7 +251,7 @@ def _held(u: Callable[[FloatArray], FloatArray], edges: FloatArray) -> FloatArra
 
 
 def _check_room(calls: int) -> None:
-    check_memory(_CALL_BYTES * calls, f"the {calls} calls of the integrator for a run so long")
+    check_memory(_CALL_BYTES * calls, "the calls of the integrator for a run so long")
 
 
 def _repeat(counts: Sequence[int]) -> list[int]:

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, one_of, unknown
 from .listing import Pictured
 from .names import MODELS, QUANTITIES, symbol
 from .records import Column, Record, measured
@@ -220,8 +220,7 @@ def stability_map(
         For unknown names, values that are no increasing list, or a parameter on which nothing
         depends.
     """
-    if of not in CLOSED_FORMS and of not in OVER_SPEED:
-        raise unknown("margin", of, CLOSED_FORMS | OVER_SPEED)
+    one_of("margin", of, CLOSED_FORMS | OVER_SPEED)
     arrays = [s for s, value in plane.given.items() if value.ndim]
     if arrays:
         raise GroundrollError(

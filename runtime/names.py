@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from hashlib import sha256
+from typing import Any
 
-from .errors import unknown
+from .errors import GroundrollError, one_of, shown, unknown
 from .generated import PACKS, Pack, Quantity
 
 #: Every quantity of the packs that ship, by symbol.
@@ -36,15 +37,26 @@ def symbol(name: str, kind: str, allowed: Collection[str], where: str = "") -> s
     UnknownNameError
         If it is not one of the symbols `allowed`; the message names the nearest.
     """
-    found = _SYMBOLS.get(name)
+    found = _SYMBOLS.get(name) if isinstance(name, str) else None
     if found in allowed:
         return str(found)
     choices = [choice for s in allowed for choice in (s, QUANTITIES[s].name)]
     raise unknown(kind, name, dict.fromkeys(choices), where)
 
 
+def listed(what: str, names: Any) -> list[str]:
+    """A list of names, which one alone is not: its letters would be taken for names.
+
+    Raises
+    ------
+    GroundrollError
+        If it is none.
+    """
+    if isinstance(names, str) or not isinstance(names, Iterable):
+        raise GroundrollError(f"{what} must be a list of names, not {shown(names)}")
+    return list(names)
+
+
 def signature(model: str) -> Pack:
     """The pack of a model that ships, ``"linear"`` or ``"nonlinear"``."""
-    if model not in MODELS:
-        raise unknown("model", model, MODELS)
-    return MODELS[model]
+    return MODELS[one_of("model", model, MODELS)]

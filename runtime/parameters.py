@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .arrays import FloatArray, physical_of
+from .arrays import FloatArray, broadcast, physical_of
 from .errors import GroundrollError
 from .evaluate import elementwise
 from .generated import PACKS
+from .memory import check_memory
 from .models import Model
 from .names import PARAMETERS
 
@@ -109,4 +111,6 @@ def _lacking(plane: Aircraft, model: Model, missing: list[str]) -> str:
 
 def stacked(values: Mapping[str, FloatArray]) -> FloatArray:
     """Values in their common shape, one above the other."""
-    return np.stack(np.broadcast_arrays(*values.values()))
+    arrays, shape = broadcast(values)
+    check_memory(8 * math.prod(shape) * len(arrays), "the parameters of so many cases")
+    return np.stack(list(arrays.values()))

@@ -13,7 +13,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
 from .arrays import positive, whole
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, one_of
 from .files import complete
 from .names import QUANTITIES
 from .plots import COLOURS, INK, MUTED, style
@@ -307,9 +307,7 @@ def _writer(path: Path, fps: int) -> Any:
     from matplotlib.animation import FFMpegWriter, PillowWriter
 
     writers: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
-    if path.suffix.lower() not in writers:
-        raise unknown("suffix", path.suffix, writers, f"{path}")
-    writer = writers[path.suffix.lower()]
+    writer = writers[one_of("suffix", path.suffix.lower(), writers, f"{path}")]
     if not writer.isAvailable():
         raise GroundrollError(f"{path}: an .mp4 needs ffmpeg, which is not installed; .gif works")
     return writer(fps=fps)

@@ -11,12 +11,12 @@ import numpy as np
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, as_inputs, finite, positive, whole
-from .chunks import check_memory
 from .errors import unknown
 from .evaluate import columns
 from .gusts import Gust, as_gust, sampled
 from .integration import integrate, integrate_varying
 from .listing import Listed, span, unit_of
+from .memory import check_memory
 from .models import ModelLike, as_model
 from .names import QUANTITIES, symbol
 from .records import Record, measured, run_dims, time_axis

@@ -16,7 +16,8 @@ from .models import ModelLike, as_model
 from .motion import lanes
 from .motion.lanes import Stepper, Task
 from .motion.virtual import integrate_in_vm
-from .names import symbol
+from .names import listed, symbol
+from .vm_ensemble import integrate_in_vm
 
 Solver = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from .aircraft import Aircraft
 from .arrays import FloatArray, physical
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, one_of
 from .evaluate import elementwise
 from .generated import build
 from .listing import Numbers
@@ -129,10 +129,7 @@ def margins(plane: Aircraft, *, speed: Any = None) -> Margins:
 def closed_forms(plane: Aircraft, names: Sequence[str]) -> dict[str, FloatArray]:
     """Some of the margins, from as few generated functions as they need."""
     known = CLOSED_FORMS | OVER_SPEED
-    for name in names:
-        if name not in known:
-            raise unknown("margin", name, known)
-    wanted = {known[name][0] for name in names}
+    wanted = {known[one_of("margin", name, known)][0] for name in names}
     results: dict[str, dict[str, FloatArray]] = {}
     if wanted & {"modes", "times"}:
         results["modes"] = elementwise("modes", closed_form("state_matrix", plane))
@@ -282,13 +279,7 @@ def gear_limit(plane: Aircraft, *, speed: Any = None, loads: str = "fixed") -> G
         Where det A changes sign.
     """
     aircraft = plane if speed is None else plane.replace(u=speed)
-    return _gear_limit(aircraft, aircraft["u"], _checked(loads))
-
-
-def _checked(loads: str) -> str:
-    if loads not in _LOADS:
-        raise unknown("loads", loads, _LOADS)
-    return loads
+    return _gear_limit(aircraft, aircraft["u"], one_of("loads", loads, _LOADS))
 
 
 def _gear_limit(plane: Aircraft, speed: FloatArray, loads: str) -> GearLimit:
@@ -343,7 +334,7 @@ def gear_envelope(
         loads follow).
     """
     low, high = _range(speeds)
-    opening = _opening_speeds(plane, _checked(loads))
+    opening = _opening_speeds(plane, one_of("loads", loads, _LOADS))
     candidates = [low, high, *(np.nan_to_num(u, nan=0.0) for u in opening)]
     shape = np.broadcast_shapes(*(c.shape for c in candidates))
     stack = np.clip(np.stack([np.broadcast_to(c, shape) for c in candidates]), low, high)

@@ -12,12 +12,13 @@ import numpy as np
 
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, check_out, common_shape
-from .chunks import check_memory, thread_count
-from .errors import GroundrollError, unknown
+from .chunks import thread_count
+from .errors import GroundrollError, one_of, unknown
 from .evaluate import names_of, sweep_into
 from .linearization import ComplexArray
 from .listing import Listed, span, unit_of
-from .names import symbol
+from .memory import check_memory
+from .names import listed, symbol
 from .records import Record, measured, run_dims
 from .results import Result
 from .stability import CLOSED_FORMS, OVER_SPEED
@@ -137,12 +138,7 @@ def sweep(
 
 
 def _names(of: Iterable[str]) -> tuple[str, ...]:
-    if isinstance(of, str):
-        raise GroundrollError(f"of must be a list of names, not the string {of!r}")
-    names = tuple(dict.fromkeys(of))
-    for name in names:
-        if name not in SWEPT:
-            raise unknown("result", name, SWEPT)
+    names = tuple(dict.fromkeys(one_of("result", name, SWEPT) for name in listed("of", of)))
     if not names:
         raise GroundrollError("nothing to sweep: of is empty")
     return names

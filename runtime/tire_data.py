@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
@@ -11,8 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import FloatArray, finite
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, listed, one_of, shown
 from .evaluate import elementwise
+from .files import as_path, text_of
 from .units import UnitError, to_si
 
 _SECANT = np.radians(1.0)  # where Eq. 3.2 takes the cornering coefficient
@@ -47,7 +49,7 @@ class TireData:
             object.__setattr__(self, field, array)
         mistakes = _shape_mistakes(self) or _content_mistakes(self)
         if mistakes:
-            raise _listed(f"tire data {self.name!r}", mistakes)
+            raise GroundrollError(listed(f"tire data {self.name!r}", mistakes))
 
     @classmethod
     def load(cls, name: str | Path) -> TireData:
@@ -67,20 +69,11 @@ class TireData:
             If there is no such data or file, or if the file has mistakes: all of them are
             listed, each with its line.
         """
-        path = Path(name)
+        path = as_path(name)
         if path.suffix != ".csv":
-            packaged = _packaged()
-            if str(name) not in packaged:
-                where = "the packaged ones (a file ends in .csv)"
-                raise unknown("tire data", str(name), packaged, where)
-            path = packaged[str(name)]
-        try:
-            text = path.read_text(encoding="utf-8")
-        except OSError as problem:
-            raise GroundrollError(f"cannot read {path}: {problem.strerror}") from problem
-        except UnicodeDecodeError as problem:
-            raise GroundrollError(f"{path} is not a text file: {problem}") from problem
-        table = _table(text, path)
+            packaged, where = _packaged(), "the packaged ones (a file ends in .csv)"
+            path = packaged[one_of("tire data", str(name), packaged, where)]
+        table = _table(text_of(path, most=2**20), path)
         try:
             return cls(path.stem, np.radians(table[1:, 0]), table[0, 1:], table[1:, 1:])
         except GroundrollError as problem:
@@ -136,11 +129,6 @@ def _packaged() -> dict[str, Path]:
     return {p.stem: p for p in files}
 
 
-def _listed(what: str, mistakes: Sequence[str]) -> GroundrollError:
-    count = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
-    return GroundrollError("\n  ".join([f"{what} has {count}:", *mistakes]))
-
-
 def _table(text: str, path: Path) -> FloatArray:
     """A CSV file in degrees and N, its header as the first row with NaN in the corner."""
     lines = [
@@ -155,7 +143,8 @@ def _table(text: str, path: Path) -> FloatArray:
     if header[0] != "slip_angle_deg":
         mistakes.append(
             f"line {number}: the header must be slip_angle_deg and the loads, such as"
-            f" slip_angle_deg,400 lbf,800 lbf (bare loads are in N), but begins with {header[0]!r}"
+            " slip_angle_deg,400 lbf,800 lbf (bare loads are in N), but begins with"
+            f" {shown(header[0])}"
         )
     loads, newtons = _loads(header[1:], number, mistakes)
     table = [[float("nan"), *_numbers(loads, number, 2, mistakes)]]
@@ -166,7 +155,7 @@ def _table(text: str, path: Path) -> FloatArray:
             )
         table.append(_numbers(cells, number, 1, mistakes))
     if mistakes:
-        raise _listed(str(path), mistakes)
+        raise GroundrollError(listed(str(path), mistakes))
     in_newtons = np.array(table)
     in_newtons[0, 1:] *= newtons
     in_newtons[1:, 1:] *= newtons
@@ -196,8 +185,8 @@ def _numbers(cells: Sequence[str], line: int, first: int, mistakes: list[str]) -
             value = float(cell)
         except ValueError:
             value = float("nan")
-        if not np.isfinite(value):
-            mistakes.append(f"line {line}, column {column}: {cell!r} is not a finite number")
+        if not math.isfinite(value):
+            mistakes.append(f"line {line}, column {column}: {shown(cell)} is not a finite number")
         values.append(value)
     return values
 

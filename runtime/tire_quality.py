@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, one_of
 from .evaluate import elementwise
 from .generated import build
 from .names import QUANTITIES
@@ -103,9 +103,7 @@ class Comparison:
     rows: Mapping[str, Quality]
 
     def __getitem__(self, name: str) -> Quality:
-        if name not in self.rows:
-            raise unknown("parameter set", name, self.rows, "this comparison")
-        return self.rows[name]
+        return self.rows[one_of("parameter set", name, self.rows, "this comparison")]
 
     def __repr__(self) -> str:
         width = max(map(len, self.rows), default=0)

@@ -18,7 +18,7 @@ from oracles import MODELS, right_hand_side
 from scipy.integrate import solve_ivp
 
 import groundroll as gr
-from groundroll import chunks, ensembles
+from groundroll import ensembles, memory
 from groundroll.ensemble_plan import plan
 from groundroll.motion import lanes
 from groundroll.motion.virtual import integrate_in_vm
@@ -384,7 +384,7 @@ def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
         ({"at": [0.0, 6.0]}, "at must lie within 0 to t = 5 s"),
         ({"at": [1.0, 1.0]}, "at must be a list of increasing times"),
         ({"names": ("alpha",)}, "unknown name 'alpha'"),
-        ({"names": "v"}, "names must be a list of names, not the string 'v'"),
+        ({"names": "v"}, "names must be a list of names, not 'v'"),
         ({"extremes": ("alfa",)}, "unknown name 'alfa' in extremes; did you mean .*alpha"),
         ({"limits": {"psi": -1.0}}, r"limits\['psi'\] must be a positive number"),
         ({"limits": ("psi",)}, "limits must be a mapping"),
@@ -403,8 +403,8 @@ def test_mistakes_are_named_before_any_work(
 
 
 def test_more_memory_than_there_is_is_refused(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(chunks, "_available", lambda: 10**6)
-    with pytest.raises(gr.GroundrollError, match=r"the results take .* GiB, but there are only"):
+    monkeypatch.setattr(memory, "_available", lambda: 10**6)
+    with pytest.raises(gr.GroundrollError, match=r"memory for the results: .* GiB are needed"):
         gr.ensemble(PLANE, v0=np.ones(1000), at=np.linspace(0, 5, 501))
     huge = np.broadcast_to(1.0, (10**6, 10**6))
     with pytest.raises(gr.GroundrollError, match="GiB"):

@@ -34,5 +34,6 @@ def _content(file: Path, like: str | None) -> str:
 
         return template(file.stem, file.name)
     from groundroll.aircraft_file import locate
+    from groundroll.files import text_of
 
-    return locate(like).read_text(encoding="utf-8-sig")
+    return text_of(locate(like))

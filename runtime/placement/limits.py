@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from groundroll.errors import GroundrollError, unknown
+from groundroll.errors import GroundrollError, one_of
 
 from .envelope import numbers
 
@@ -155,9 +155,7 @@ class Limits:
             "taildragger": {"nose_over": ("16 deg", "25 deg")},
             "tricycle": {"tip_back": ("15 deg", None), "nose_wheel_load": (0.08, 0.15)},
         }
-        if layout not in rules:
-            raise unknown("layout", layout, LAYOUTS, "Limits.textbook")
-        return cls(**{**rules[layout], **others})
+        return cls(**{**rules[one_of("layout", layout, rules, "Limits.textbook")], **others})
 
     def bounds(self, layout: str) -> tuple[Bound, ...]:
         """Every bound for a layout.

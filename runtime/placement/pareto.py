@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundroll.arrays import FloatArray
-from groundroll.errors import GroundrollError, unknown
+from groundroll.errors import GroundrollError, one_of
 from groundroll.listing import Pictured
 from groundroll.progress import Count, Progress, counted
 
@@ -103,8 +103,7 @@ def front(case: Case, against: str, points: int = 13, progress: Progress = None)
     GroundrollError
         If the other means nothing for the layout, or no placement satisfies the limits.
     """
-    if against not in AGAINST:
-        raise unknown("Pareto axis", against, AGAINST, "pareto")
+    one_of("Pareto axis", against, AGAINST, "pareto")
     if case.layout not in KINDS[against].layouts:
         raise GroundrollError(f"pareto: {against} means nothing for a {case.layout}")
     if KINDS[against].symbol in ("nose_over", "tip_back") and not np.isfinite(case.numbers["h_cg"]):

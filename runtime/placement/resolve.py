@@ -10,7 +10,7 @@ import numpy as np
 from groundroll import generated
 from groundroll.aircraft import Aircraft
 from groundroll.arrays import finite, positive
-from groundroll.errors import GroundrollError, unknown
+from groundroll.errors import GroundrollError, one_of
 from groundroll.models import ModelLike, as_model
 from groundroll.names import QUANTITIES
 
@@ -47,24 +47,20 @@ def resolve(
     GroundrollError
         For unknown names, bounds that are crossed, parameters that are missing or at odds.
     """
-    if objective not in OBJECTIVES:
-        raise unknown("objective", objective, OBJECTIVES, "place_gear")
-    if tail_wheel not in ("locked", "free"):
-        raise unknown("tail_wheel", tail_wheel, ("locked", "free"), "place_gear")
+    one_of("objective", objective, OBJECTIVES, "place_gear")
+    one_of("tail_wheel", tail_wheel, ("locked", "free"), "place_gear")
     as_model(model)
     today = _today(plane)
     axes = envelope.axes(plane)
     if layout is None:
         layout = LAYOUTS[0] if today["x_main"] < axes["x_cg"].low else LAYOUTS[1]
-    if layout not in LAYOUTS:
-        raise unknown("layout", layout, LAYOUTS, "place_gear")
+    one_of("layout", layout, LAYOUTS, "place_gear")
     has_tail_wheel = layout == "taildragger" and tail_wheel == "locked"
     if not has_tail_wheel or _is_zero(plane, "Ct"):
         today["kappa"] = 0.0
     if stiffness is None:
         stiffness = "constant" if _given(plane, today["kappa"] > 0) else "following"
-    if stiffness not in STIFFNESS:
-        raise unknown("stiffness", stiffness, STIFFNESS, "place_gear")
+    one_of("stiffness", stiffness, STIFFNESS, "place_gear")
     bounds = limits.bounds(layout)
     chosen = _variables(variables, layout, axes, today)
     return Case(
@@ -129,9 +125,8 @@ def _variables(
     wanted = {"main_gear_station": reach, **(given or {})}
     chosen = []
     for name, bounds in wanted.items():
-        if name not in VARIABLES:
-            raise unknown("variable", name, VARIABLES, "place_gear")
-        symbol, where = VARIABLES[name], f"variables[{name!r}]"
+        symbol = VARIABLES[one_of("variable", name, VARIABLES, "place_gear")]
+        where = f"variables[{name!r}]"
         if not isinstance(bounds, tuple | list) or len(bounds) != 2:
             raise GroundrollError(f"{where} must be (low, high), not {bounds!r}")
         unit = QUANTITIES[symbol].unit
