@@ -10,7 +10,7 @@ from typing import Any
 
 import casadi as ca
 
-from .errors import GroundrollError, unknown
+from .errors import GroundrollError, shown, unknown
 from .generated import PACKS, Pack, PackError, Quantity, read_pack
 
 #: Entry points under which installed packages announce their packs: name -> folder.
@@ -39,7 +39,11 @@ class Model(Pack):
         GroundrollError
             If there is none, or its folder was made by another version.
         """
-        return _load(os.fspath(name) if isinstance(name, str | Path) else name)
+        if not isinstance(name, str | Path):
+            raise GroundrollError(
+                f"a model is a name, a folder or what Model.load gives, not {shown(name)}"
+            )
+        return _load(os.fspath(name))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _load, (self.key,)
@@ -93,7 +97,7 @@ def symbol_of(
     UnknownNameError
         If it is not one of the symbols `allowed`; the message names the nearest.
     """
-    if name in allowed:
+    if isinstance(name, str) and name in allowed:
         return name
     found = next((s for s in allowed if quantities[s].name == name), None)
     if found is not None:
@@ -119,19 +123,14 @@ def _load(name: str) -> Model:
         raise GroundrollError(str(problem)) from None
 
 
-def _found(name: Any) -> Pack:
-    if not isinstance(name, str):
-        raise GroundrollError(
-            f"a model is a name, a folder or what Model.load gives, not {type(name).__name__}"
-        )
+def _found(name: str) -> Pack:
     if name in PACKS and PACKS[name].states:
         return PACKS[name]
     announced = _announced()
     if name in announced:
         return read_pack(announced[name])
-    folder = Path(name)
-    if folder.is_dir():
-        return read_pack(folder.resolve())
+    if os.path.isdir(name):
+        return read_pack(Path(name).resolve())
     there = [n for n, pack in PACKS.items() if pack.states]
     raise unknown("model", name, [*there, *announced])
 

@@ -56,7 +56,7 @@ def test_the_cache_holds_each_library_once_and_nothing_else(filled: tuple[Path, 
     assert use(folder) == (printed, [])
     assert {path.name: path.stat().st_mtime_ns for path in folder.iterdir()} == before
     assert sorted(re.sub(r"-\w{20}", "", name) for name in before) == [
-        *("loads.sha256", "loads.so", "tire.sha256", "tire.so")
+        *(f"aircraft-{name}" for name in ("loads.sha256", "loads.so", "tire.sha256", "tire.so"))
     ]
 
 
@@ -69,7 +69,7 @@ def test_a_damaged_library_is_compiled_again(
     copy.mkdir()
     for path in folder.iterdir():
         (copy / path.name).write_bytes(path.read_bytes())
-    (victim,) = copy.glob("tire-*.so")
+    (victim,) = copy.glob("aircraft-tire-*.so")
     good = victim.read_bytes()
     if damage == "seal gone":
         victim.with_suffix(".sha256").unlink()
@@ -284,13 +284,17 @@ def test_what_killed_builds_have_left_is_removed(tmp_path: Path):
 def test_whoever_sits_at_a_terminal_hears_of_compilation(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ):
-    symbol = next(name for name, (*_, c_file) in generated.FUNCTIONS.items() if c_file == "kick")
+    pack = generated.PACKS["aircraft"]
+    function = next(name for name, (*_, c_file) in pack.functions.items() if c_file == "kick")
+
+    def compiled() -> Path:
+        return library.compiled(pack.folder / "c" / "kick.c", pack.digest, symbol=function)
+
     monkeypatch.setattr(library, "_cache_folder", lambda: tmp_path)
-    library.compiled(library.SOURCES / "kick.c", symbol=symbol)
+    compiled()
     assert capsys.readouterr().err == ""
     for file in tmp_path.iterdir():
         file.unlink()
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    library.compiled(library.SOURCES / "kick.c", symbol=symbol)
-    library.compiled(library.SOURCES / "kick.c", symbol=symbol)
-    assert capsys.readouterr().err == "\rcompiling kick, once for this machine\n"
+    assert compiled() == compiled()
+    assert capsys.readouterr().err == "\rcompiling aircraft kick, once for this machine\n"
