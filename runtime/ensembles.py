@@ -12,7 +12,6 @@ from .aircraft import Aircraft
 from .chunks import cut, run, thread_count
 from .ensemble_plan import plan, watching
 from .ensemble_result import Ensemble
-from .generated.kernels import Outcome, Task
 from .memory import check_memory
 from .models import ModelLike
 from .motion import lanes

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .ensemble_plan import check_tolerance, listed
+from .ensemble_plan import check_tolerance
 from .errors import GroundrollError
 from .generated import Pack
 from .models import ModelLike, as_model
@@ -17,7 +17,6 @@ from .motion import lanes
 from .motion.lanes import Stepper, Task
 from .motion.virtual import integrate_in_vm
 from .names import listed, symbol
-from .vm_ensemble import integrate_in_vm
 
 Solver = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 
