@@ -42,9 +42,8 @@ def test_more_threads_than_help_are_not_made(threads: int):
 
 def test_threads_are_bounded_by_processors_and_by_work(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(kernels, "processors", lambda: 8)
-    assert [kernels.useful_threads(*case) for case in ((1, 9), (4, 9), (99, 9), (99, 3), (4, 0))] == [
-        *(1, 4, 8, 3, 1)
-    ]
+    cases = ((1, 9), (4, 9), (99, 9), (99, 3), (4, 0))
+    assert [kernels.useful_threads(*case) for case in cases] == [1, 4, 8, 3, 1]
 
 
 # --- Writing --------------------------------------------------------------------------------
