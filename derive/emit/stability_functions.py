@@ -6,8 +6,10 @@ from collections.abc import Sequence
 
 from groundroll.derive.core.equation import Chain, needed
 from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.parts.gear import track
+from groundroll.derive.parts.quantities import PARAMETERS
 from groundroll.derive.theory import closed_forms as closed
-from groundroll.derive.theory import gear_position, margins, worst_speed
+from groundroll.derive.theory import gear_position, margins, toe, worst_speed
 
 from .casadi_source import FunctionSpec
 from .scalar_functions import ordered, scalar_function
@@ -33,6 +35,7 @@ def stability_functions() -> tuple[FunctionSpec, ...]:
         *_mode_functions(),
         *_margin_functions(),
         *_gear_functions(),
+        _toe_function(),
     )
 
 
@@ -140,6 +143,17 @@ def _gear_functions() -> tuple[FunctionSpec, ...]:
             (*loaded, *gear_position.envelope_polynomial()),
         ),
         _at_tail_load((*loaded, *gear_position.at_tail_fraction())),
+    )
+
+
+def _toe_function() -> FunctionSpec:
+    chain = needed((*closed.stiffnesses(), *toe.toe_effects()), toe.RESULTS)
+    return scalar_function(
+        "toe_effects",
+        "What a little toe-in changes of yaw stiffness and det A: both terms of the dispute.",
+        ordered(chain, (*PARAMETERS, track)),
+        toe.RESULTS,
+        chain,
     )
 
 

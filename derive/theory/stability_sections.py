@@ -9,7 +9,7 @@ from groundroll.derive.core.model import Derivation
 from groundroll.derive.models.linear import linear
 
 from . import closed_forms as closed
-from . import equilibrium, gear_position, margins, worst_speed
+from . import equilibrium, gear_position, margins, toe, worst_speed
 
 
 def stability_sections() -> Iterator[tuple[str, Chain, str]]:
@@ -37,6 +37,7 @@ def _sections() -> Iterator[tuple[str, Chain, str]]:
         *gear_position.at_tail_fraction(),
     )
     yield "Gear position: loads that follow it", loaded, _LOADED
+    yield "Toe-in", (*closed.stiffnesses(), *toe.toe_effects()), _TOE
     yield steady_turns(linear())
 
 
@@ -45,6 +46,12 @@ def steady_turns(model: Derivation) -> tuple[str, Chain, str]:
     text = " ".join(_STEADY_TURNS.split())
     return f"Steady turns of the {model.name} model", equilibrium.equilibrium(model), text
 
+
+_TOE = r"""
+Toe-in $\epsilon$ raises $dN/d\beta$ exactly if $t^2 C > 2 a h C' (2 C + K)$, with the track $t$ and
+the height $h$ of the CG; on the boundary of stability it moves $\det A$ up exactly if $t^2 b (2 C +
+K) > 4 h L^2 K C'$. A tire whose stiffness falls with load ($C' < 0$) makes both hold always.
+"""
 
 _ROUTH_HURWITZ = r"""
 The characteristic polynomial is $\lambda^2 - \operatorname{tr}A\,\lambda + \det A$. The aircraft
