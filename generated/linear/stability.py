@@ -910,3 +910,69 @@ def at_tail_load() -> ca.Function:
         ["tail_fraction", "m", "b", "rho", "Ap", "CL_gamma", "B3", "C3", "g", "K1", "K2", "K3", "K4"],
         ["a_loaded", "u_touch"],
     )
+
+
+@cache
+def toe_effects() -> ca.Function:
+    """What a little toe-in changes of yaw stiffness and det A: both terms of the dispute.
+
+    Inputs
+    ------
+    m : scalar [kg], total mass
+    Izz : scalar [kg m^2], moment of inertia about the z axis
+    a : scalar [m], main gear ahead of the CG (positive: taildragger)
+    b : scalar [m], CG ahead of the vertical tail and the tail wheel
+    u : scalar [m/s], forward speed, constant
+    rho : scalar [kg/m^3], density of the air
+    Ap : scalar [m^2], area of the vertical tail
+    CL_gamma : scalar [1/rad], lift-curve slope of the vertical tail
+    C_alpha : scalar [N/rad], cornering stiffness of one main tire
+    Ct : scalar [N/rad], cornering stiffness of the tail wheel
+    Fz : scalar [N], vertical load on one main tire
+    B3 : scalar [1/rad], cornering coefficient at no load
+    C3 : scalar [1/(rad N)], its change with load
+    h_cg : scalar [m], the CG above the ground, in the attitude in which stations are measured
+    track : scalar [m], left to right main wheel
+
+    Outputs
+    -------
+    toe_pull : 1 x 1, yaw stiffness that a radian of toe-in adds because forces point inward [N m/rad^2]
+    toe_load : 1 x 1, yaw stiffness that it takes because the load moves to the leading wheel [N m/rad^2]
+    toe_yaw_stiffness : 1 x 1, change of the yaw stiffness dN/dbeta with toe-in; a positive one turns the nose to where the aircraft goes [N m/rad^2]
+    toe_determinant : 1 x 1, change of det A with toe-in: positive moves the boundary of stability the good way [1/(rad s^2)]
+
+    Thesis
+    ------
+    Eq. 4.29, Eq. 4.31
+    """
+    m = ca.SX.sym("m")
+    Izz = ca.SX.sym("Izz")
+    a = ca.SX.sym("a")
+    b = ca.SX.sym("b")
+    u = ca.SX.sym("u")
+    rho = ca.SX.sym("rho")
+    Ap = ca.SX.sym("Ap")
+    CL_gamma = ca.SX.sym("CL_gamma")
+    C_alpha = ca.SX.sym("C_alpha")
+    Ct = ca.SX.sym("Ct")
+    Fz = ca.SX.sym("Fz")
+    B3 = ca.SX.sym("B3")
+    C3 = ca.SX.sym("C3")
+    h_cg = ca.SX.sym("h_cg")
+    track = ca.SX.sym("track")
+    k = (1/2)*Ap*CL_gamma*rho  # Eq. 4.29
+    K = Ct + k*u**2  # Eq. 4.31
+    C_load = B3 + 2*C3*Fz  # Eqs. 3.2, 3.3
+    toe_pull = C_alpha*track  # forces along the fuselage
+    toe_load = 2*C_load*a*h_cg*(2*C_alpha + K)/track  # loads moved by h / track
+    toe_yaw_stiffness = -toe_load + toe_pull  # definition
+    w5 = C_alpha*C_load*h_cg
+    w6 = 4*K*w5
+    toe_determinant = -(4*C_alpha*C_load*a*h_cg*m*u**2 + C_alpha*K*a*track**2 + C_alpha*K*b*track**2 - C_alpha*m*track**2*u**2 + 2*C_load*K*a*h_cg*m*u**2 - 8*K*a*b*w5 - a**2*w6 - b**2*w6)/(Izz*m*track*u**2)  # from det A
+    return ca.Function(
+        "toe_effects",
+        [m, Izz, a, b, u, rho, Ap, CL_gamma, C_alpha, Ct, Fz, B3, C3, h_cg, track],
+        [toe_pull, toe_load, toe_yaw_stiffness, toe_determinant],
+        ["m", "Izz", "a", "b", "u", "rho", "Ap", "CL_gamma", "C_alpha", "Ct", "Fz", "B3", "C3", "h_cg", "track"],
+        ["toe_pull", "toe_load", "toe_yaw_stiffness", "toe_determinant"],
+    )

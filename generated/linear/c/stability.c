@@ -80,6 +80,10 @@
 #define casadi_f61 CASADI_PREFIX(f61)
 #define casadi_f62 CASADI_PREFIX(f62)
 #define casadi_f63 CASADI_PREFIX(f63)
+#define casadi_f64 CASADI_PREFIX(f64)
+#define casadi_f65 CASADI_PREFIX(f65)
+#define casadi_f66 CASADI_PREFIX(f66)
+#define casadi_f67 CASADI_PREFIX(f67)
 #define casadi_f7 CASADI_PREFIX(f7)
 #define casadi_f8 CASADI_PREFIX(f8)
 #define casadi_f9 CASADI_PREFIX(f9)
@@ -23327,6 +23331,1969 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load_work(casadi_int *sz_arg, casadi_
 CASADI_SYMBOL_EXPORT int fwd1_adj1_at_tail_load_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 47*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* toe_effects:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,Fz,B3,C3,h_cg,track)->(toe_pull,toe_load,toe_yaw_stiffness,toe_determinant) */
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12;
+  a00=arg[8]? arg[8][0] : 0;
+  a01=arg[14]? arg[14][0] : 0;
+  a02=(a00*a01);
+  if (res[0]!=0) res[0][0]=a02;
+  a03=arg[11]? arg[11][0] : 0;
+  a04=arg[12]? arg[12][0] : 0;
+  a04=(2.*a04);
+  a05=arg[10]? arg[10][0] : 0;
+  a04=(a04*a05);
+  a03=(a03+a04);
+  a04=(2.*a03);
+  a05=arg[2]? arg[2][0] : 0;
+  a04=(a04*a05);
+  a06=arg[13]? arg[13][0] : 0;
+  a04=(a04*a06);
+  a07=(2.*a00);
+  a08=arg[9]? arg[9][0] : 0;
+  a09=5.0000000000000000e-01;
+  a10=arg[6]? arg[6][0] : 0;
+  a09=(a09*a10);
+  a10=arg[7]? arg[7][0] : 0;
+  a09=(a09*a10);
+  a10=arg[5]? arg[5][0] : 0;
+  a09=(a09*a10);
+  a10=arg[4]? arg[4][0] : 0;
+  a11=casadi_sq(a10);
+  a09=(a09*a11);
+  a08=(a08+a09);
+  a07=(a07+a08);
+  a04=(a04*a07);
+  a04=(a04/a01);
+  if (res[1]!=0) res[1][0]=a04;
+  a02=(a02-a04);
+  if (res[2]!=0) res[2][0]=a02;
+  a02=4.;
+  a04=(a02*a00);
+  a04=(a04*a03);
+  a04=(a04*a05);
+  a04=(a04*a06);
+  a07=arg[0]? arg[0][0] : 0;
+  a04=(a04*a07);
+  a09=casadi_sq(a10);
+  a04=(a04*a09);
+  a09=(a00*a08);
+  a09=(a09*a05);
+  a11=casadi_sq(a01);
+  a09=(a09*a11);
+  a04=(a04+a09);
+  a09=(a00*a08);
+  a11=arg[3]? arg[3][0] : 0;
+  a09=(a09*a11);
+  a12=casadi_sq(a01);
+  a09=(a09*a12);
+  a04=(a04+a09);
+  a09=(a00*a07);
+  a12=casadi_sq(a01);
+  a09=(a09*a12);
+  a12=casadi_sq(a10);
+  a09=(a09*a12);
+  a04=(a04-a09);
+  a09=(2.*a03);
+  a09=(a09*a08);
+  a09=(a09*a05);
+  a09=(a09*a06);
+  a09=(a09*a07);
+  a12=casadi_sq(a10);
+  a09=(a09*a12);
+  a04=(a04+a09);
+  a09=8.;
+  a09=(a09*a08);
+  a09=(a09*a05);
+  a09=(a09*a11);
+  a00=(a00*a03);
+  a00=(a00*a06);
+  a09=(a09*a00);
+  a04=(a04-a09);
+  a05=casadi_sq(a05);
+  a02=(a02*a08);
+  a02=(a02*a00);
+  a05=(a05*a02);
+  a04=(a04-a05);
+  a11=casadi_sq(a11);
+  a11=(a11*a02);
+  a04=(a04-a11);
+  a11=arg[1]? arg[1][0] : 0;
+  a11=(a11*a07);
+  a11=(a11*a01);
+  a10=casadi_sq(a10);
+  a11=(a11*a10);
+  a04=(a04/a11);
+  a04=(-a04);
+  if (res[3]!=0) res[3][0]=a04;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int toe_effects(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f64(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int toe_effects_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void toe_effects_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void toe_effects_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void toe_effects_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int toe_effects_n_in(void) { return 15;}
+
+CASADI_SYMBOL_EXPORT casadi_int toe_effects_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real toe_effects_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* toe_effects_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    case 10: return "Fz";
+    case 11: return "B3";
+    case 12: return "C3";
+    case 13: return "h_cg";
+    case 14: return "track";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* toe_effects_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "toe_pull";
+    case 1: return "toe_load";
+    case 2: return "toe_yaw_stiffness";
+    case 3: return "toe_determinant";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* toe_effects_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* toe_effects_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int toe_effects_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 15;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int toe_effects_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 15*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_toe_effects:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,Fz,B3,C3,h_cg,track,out_toe_pull[1x1,0nz],out_toe_load[1x1,0nz],out_toe_yaw_stiffness[1x1,0nz],out_toe_determinant[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_Fz,fwd_B3,fwd_C3,fwd_h_cg,fwd_track)->(fwd_toe_pull,fwd_toe_load,fwd_toe_yaw_stiffness,fwd_toe_determinant) */
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34;
+  a00=arg[14]? arg[14][0] : 0;
+  a01=arg[27]? arg[27][0] : 0;
+  a02=(a00*a01);
+  a03=arg[8]? arg[8][0] : 0;
+  a04=arg[33]? arg[33][0] : 0;
+  a05=(a03*a04);
+  a02=(a02+a05);
+  if (res[0]!=0) res[0][0]=a02;
+  a05=(2.*a03);
+  a06=arg[9]? arg[9][0] : 0;
+  a07=5.0000000000000000e-01;
+  a08=arg[6]? arg[6][0] : 0;
+  a08=(a07*a08);
+  a09=arg[7]? arg[7][0] : 0;
+  a10=(a08*a09);
+  a11=arg[5]? arg[5][0] : 0;
+  a12=(a10*a11);
+  a13=arg[4]? arg[4][0] : 0;
+  a14=casadi_sq(a13);
+  a15=(a12*a14);
+  a06=(a06+a15);
+  a05=(a05+a06);
+  a15=arg[13]? arg[13][0] : 0;
+  a16=arg[2]? arg[2][0] : 0;
+  a17=arg[30]? arg[30][0] : 0;
+  a18=arg[10]? arg[10][0] : 0;
+  a19=arg[31]? arg[31][0] : 0;
+  a19=(2.*a19);
+  a19=(a18*a19);
+  a20=arg[12]? arg[12][0] : 0;
+  a20=(2.*a20);
+  a21=arg[29]? arg[29][0] : 0;
+  a21=(a20*a21);
+  a19=(a19+a21);
+  a17=(a17+a19);
+  a19=(2.*a17);
+  a19=(a16*a19);
+  a21=arg[11]? arg[11][0] : 0;
+  a20=(a20*a18);
+  a21=(a21+a20);
+  a20=(2.*a21);
+  a18=arg[21]? arg[21][0] : 0;
+  a22=(a20*a18);
+  a19=(a19+a22);
+  a19=(a15*a19);
+  a20=(a20*a16);
+  a22=arg[32]? arg[32][0] : 0;
+  a23=(a20*a22);
+  a19=(a19+a23);
+  a19=(a05*a19);
+  a20=(a20*a15);
+  a23=(2.*a01);
+  a24=arg[28]? arg[28][0] : 0;
+  a25=arg[25]? arg[25][0] : 0;
+  a07=(a07*a25);
+  a09=(a09*a07);
+  a07=arg[26]? arg[26][0] : 0;
+  a08=(a08*a07);
+  a09=(a09+a08);
+  a11=(a11*a09);
+  a09=arg[24]? arg[24][0] : 0;
+  a10=(a10*a09);
+  a11=(a11+a10);
+  a14=(a14*a11);
+  a11=(2.*a13);
+  a10=arg[23]? arg[23][0] : 0;
+  a11=(a11*a10);
+  a12=(a12*a11);
+  a14=(a14+a12);
+  a24=(a24+a14);
+  a23=(a23+a24);
+  a23=(a20*a23);
+  a19=(a19+a23);
+  a19=(a19/a00);
+  a20=(a20*a05);
+  a20=(a20/a00);
+  a20=(a20/a00);
+  a20=(a20*a04);
+  a19=(a19-a20);
+  if (res[1]!=0) res[1][0]=a19;
+  a02=(a02-a19);
+  if (res[2]!=0) res[2][0]=a02;
+  a02=casadi_sq(a13);
+  a19=arg[0]? arg[0][0] : 0;
+  a20=4.;
+  a05=(a20*a01);
+  a05=(a21*a05);
+  a23=(a20*a03);
+  a14=(a23*a17);
+  a05=(a05+a14);
+  a05=(a16*a05);
+  a23=(a23*a21);
+  a14=(a23*a18);
+  a05=(a05+a14);
+  a05=(a15*a05);
+  a23=(a23*a16);
+  a14=(a23*a22);
+  a05=(a05+a14);
+  a05=(a19*a05);
+  a23=(a23*a15);
+  a14=arg[19]? arg[19][0] : 0;
+  a12=(a23*a14);
+  a05=(a05+a12);
+  a05=(a02*a05);
+  a23=(a23*a19);
+  a12=(2.*a13);
+  a12=(a12*a10);
+  a12=(a23*a12);
+  a05=(a05+a12);
+  a12=casadi_sq(a00);
+  a11=(a06*a01);
+  a09=(a03*a24);
+  a11=(a11+a09);
+  a11=(a16*a11);
+  a09=(a03*a06);
+  a08=(a09*a18);
+  a11=(a11+a08);
+  a11=(a12*a11);
+  a09=(a09*a16);
+  a08=(2.*a00);
+  a08=(a08*a04);
+  a08=(a09*a08);
+  a11=(a11+a08);
+  a05=(a05+a11);
+  a11=casadi_sq(a00);
+  a08=arg[3]? arg[3][0] : 0;
+  a07=(a06*a01);
+  a25=(a03*a24);
+  a07=(a07+a25);
+  a07=(a08*a07);
+  a25=(a03*a06);
+  a26=arg[22]? arg[22][0] : 0;
+  a27=(a25*a26);
+  a07=(a07+a27);
+  a07=(a11*a07);
+  a25=(a25*a08);
+  a27=(2.*a00);
+  a27=(a27*a04);
+  a27=(a25*a27);
+  a07=(a07+a27);
+  a05=(a05+a07);
+  a07=casadi_sq(a13);
+  a27=casadi_sq(a00);
+  a28=(a19*a01);
+  a29=(a03*a14);
+  a28=(a28+a29);
+  a28=(a27*a28);
+  a29=(a03*a19);
+  a30=(2.*a00);
+  a30=(a30*a04);
+  a30=(a29*a30);
+  a28=(a28+a30);
+  a28=(a07*a28);
+  a29=(a29*a27);
+  a27=(2.*a13);
+  a27=(a27*a10);
+  a27=(a29*a27);
+  a28=(a28+a27);
+  a05=(a05-a28);
+  a28=casadi_sq(a13);
+  a27=(2.*a17);
+  a27=(a06*a27);
+  a30=(2.*a21);
+  a31=(a30*a24);
+  a27=(a27+a31);
+  a27=(a16*a27);
+  a30=(a30*a06);
+  a31=(a30*a18);
+  a27=(a27+a31);
+  a27=(a15*a27);
+  a30=(a30*a16);
+  a31=(a30*a22);
+  a27=(a27+a31);
+  a27=(a19*a27);
+  a30=(a30*a15);
+  a31=(a30*a14);
+  a27=(a27+a31);
+  a27=(a28*a27);
+  a30=(a30*a19);
+  a31=(2.*a13);
+  a31=(a31*a10);
+  a31=(a30*a31);
+  a27=(a27+a31);
+  a05=(a05+a27);
+  a27=(a03*a21);
+  a31=(a27*a15);
+  a32=8.;
+  a33=(a32*a24);
+  a33=(a16*a33);
+  a32=(a32*a06);
+  a34=(a32*a18);
+  a33=(a33+a34);
+  a33=(a08*a33);
+  a32=(a32*a16);
+  a34=(a32*a26);
+  a33=(a33+a34);
+  a33=(a31*a33);
+  a32=(a32*a08);
+  a21=(a21*a01);
+  a03=(a03*a17);
+  a21=(a21+a03);
+  a15=(a15*a21);
+  a27=(a27*a22);
+  a15=(a15+a27);
+  a27=(a32*a15);
+  a33=(a33+a27);
+  a05=(a05-a33);
+  a06=(a20*a06);
+  a33=(a06*a31);
+  a27=(2.*a16);
+  a27=(a27*a18);
+  a27=(a33*a27);
+  a16=casadi_sq(a16);
+  a20=(a20*a24);
+  a20=(a31*a20);
+  a06=(a06*a15);
+  a20=(a20+a06);
+  a06=(a16*a20);
+  a27=(a27+a06);
+  a05=(a05-a27);
+  a27=(2.*a08);
+  a27=(a27*a26);
+  a27=(a33*a27);
+  a08=casadi_sq(a08);
+  a20=(a08*a20);
+  a27=(a27+a20);
+  a05=(a05-a27);
+  a27=arg[1]? arg[1][0] : 0;
+  a20=(a27*a19);
+  a26=(a20*a00);
+  a06=casadi_sq(a13);
+  a15=(a26*a06);
+  a05=(a05/a15);
+  a23=(a23*a02);
+  a09=(a09*a12);
+  a23=(a23+a09);
+  a25=(a25*a11);
+  a23=(a23+a25);
+  a29=(a29*a07);
+  a23=(a23-a29);
+  a30=(a30*a28);
+  a23=(a23+a30);
+  a32=(a32*a31);
+  a23=(a23-a32);
+  a16=(a16*a33);
+  a23=(a23-a16);
+  a08=(a08*a33);
+  a23=(a23-a08);
+  a23=(a23/a15);
+  a23=(a23/a15);
+  a15=arg[20]? arg[20][0] : 0;
+  a19=(a19*a15);
+  a27=(a27*a14);
+  a19=(a19+a27);
+  a00=(a00*a19);
+  a20=(a20*a04);
+  a00=(a00+a20);
+  a06=(a06*a00);
+  a13=(2.*a13);
+  a13=(a13*a10);
+  a26=(a26*a13);
+  a06=(a06+a26);
+  a23=(a23*a06);
+  a05=(a05-a23);
+  a05=(-a05);
+  if (res[3]!=0) res[3][0]=a05;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_toe_effects(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f65(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_toe_effects_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_toe_effects_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_toe_effects_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_toe_effects_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_toe_effects_n_in(void) { return 34;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_toe_effects_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_toe_effects_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_toe_effects_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    case 10: return "Fz";
+    case 11: return "B3";
+    case 12: return "C3";
+    case 13: return "h_cg";
+    case 14: return "track";
+    case 15: return "out_toe_pull";
+    case 16: return "out_toe_load";
+    case 17: return "out_toe_yaw_stiffness";
+    case 18: return "out_toe_determinant";
+    case 19: return "fwd_m";
+    case 20: return "fwd_Izz";
+    case 21: return "fwd_a";
+    case 22: return "fwd_b";
+    case 23: return "fwd_u";
+    case 24: return "fwd_rho";
+    case 25: return "fwd_Ap";
+    case 26: return "fwd_CL_gamma";
+    case 27: return "fwd_C_alpha";
+    case 28: return "fwd_Ct";
+    case 29: return "fwd_Fz";
+    case 30: return "fwd_B3";
+    case 31: return "fwd_C3";
+    case 32: return "fwd_h_cg";
+    case 33: return "fwd_track";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_toe_effects_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_toe_pull";
+    case 1: return "fwd_toe_load";
+    case 2: return "fwd_toe_yaw_stiffness";
+    case 3: return "fwd_toe_determinant";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_toe_effects_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    case 15: return casadi_s1;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s1;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s0;
+    case 24: return casadi_s0;
+    case 25: return casadi_s0;
+    case 26: return casadi_s0;
+    case 27: return casadi_s0;
+    case 28: return casadi_s0;
+    case 29: return casadi_s0;
+    case 30: return casadi_s0;
+    case 31: return casadi_s0;
+    case 32: return casadi_s0;
+    case 33: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_toe_effects_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_toe_effects_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 34;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_toe_effects_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 34*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_toe_effects:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,Fz,B3,C3,h_cg,track,out_toe_pull[1x1,0nz],out_toe_load[1x1,0nz],out_toe_yaw_stiffness[1x1,0nz],out_toe_determinant[1x1,0nz],adj_toe_pull,adj_toe_load,adj_toe_yaw_stiffness,adj_toe_determinant)->(adj_m,adj_Izz,adj_a,adj_b,adj_u,adj_rho,adj_Ap,adj_CL_gamma,adj_C_alpha,adj_Ct,adj_Fz,adj_B3,adj_C3,adj_h_cg,adj_track) */
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
+  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
+  casadi_real a60, a61, a62;
+  a00=arg[1]? arg[1][0] : 0;
+  a01=arg[14]? arg[14][0] : 0;
+  a02=arg[4]? arg[4][0] : 0;
+  a03=casadi_sq(a02);
+  a04=4.;
+  a05=arg[8]? arg[8][0] : 0;
+  a06=(a04*a05);
+  a07=arg[11]? arg[11][0] : 0;
+  a08=arg[12]? arg[12][0] : 0;
+  a08=(2.*a08);
+  a09=arg[10]? arg[10][0] : 0;
+  a10=(a08*a09);
+  a07=(a07+a10);
+  a10=(a06*a07);
+  a11=arg[2]? arg[2][0] : 0;
+  a12=(a10*a11);
+  a13=arg[13]? arg[13][0] : 0;
+  a14=(a12*a13);
+  a15=arg[0]? arg[0][0] : 0;
+  a16=(a14*a15);
+  a17=casadi_sq(a02);
+  a18=(a16*a17);
+  a19=arg[9]? arg[9][0] : 0;
+  a20=5.0000000000000000e-01;
+  a21=arg[6]? arg[6][0] : 0;
+  a21=(a20*a21);
+  a22=arg[7]? arg[7][0] : 0;
+  a23=(a21*a22);
+  a24=arg[5]? arg[5][0] : 0;
+  a25=(a23*a24);
+  a26=casadi_sq(a02);
+  a27=(a25*a26);
+  a19=(a19+a27);
+  a27=(a05*a19);
+  a28=(a27*a11);
+  a29=casadi_sq(a01);
+  a30=(a28*a29);
+  a18=(a18+a30);
+  a30=(a05*a19);
+  a31=arg[3]? arg[3][0] : 0;
+  a32=(a30*a31);
+  a33=casadi_sq(a01);
+  a34=(a32*a33);
+  a18=(a18+a34);
+  a34=(a05*a15);
+  a35=casadi_sq(a01);
+  a36=(a34*a35);
+  a37=casadi_sq(a02);
+  a38=(a36*a37);
+  a18=(a18-a38);
+  a38=(2.*a07);
+  a39=(a38*a19);
+  a40=(a39*a11);
+  a41=(a40*a13);
+  a42=(a41*a15);
+  a43=casadi_sq(a02);
+  a44=(a42*a43);
+  a18=(a18+a44);
+  a44=8.;
+  a45=(a44*a19);
+  a46=(a45*a11);
+  a47=(a46*a31);
+  a48=(a05*a07);
+  a49=(a48*a13);
+  a50=(a47*a49);
+  a18=(a18-a50);
+  a50=casadi_sq(a11);
+  a51=(a04*a19);
+  a52=(a51*a49);
+  a53=(a50*a52);
+  a18=(a18-a53);
+  a53=casadi_sq(a31);
+  a54=(a53*a52);
+  a18=(a18-a54);
+  a54=(a00*a15);
+  a55=(a54*a01);
+  a56=(a55*a03);
+  a18=(a18/a56);
+  a18=(a18/a56);
+  a57=arg[22]? arg[22][0] : 0;
+  a18=(a18*a57);
+  a03=(a03*a18);
+  a58=(a01*a03);
+  a00=(a00*a58);
+  a57=(a57/a56);
+  a43=(a43*a57);
+  a41=(a41*a43);
+  a00=(a00-a41);
+  a37=(a37*a57);
+  a35=(a35*a37);
+  a41=(a05*a35);
+  a00=(a00+a41);
+  a17=(a17*a57);
+  a14=(a14*a17);
+  a00=(a00-a14);
+  if (res[0]!=0) res[0][0]=a00;
+  a58=(a15*a58);
+  if (res[1]!=0) res[1][0]=a58;
+  a58=(2.*a11);
+  a00=(a52*a57);
+  a58=(a58*a00);
+  a00=(a49*a57);
+  a14=(a31*a00);
+  a45=(a45*a14);
+  a58=(a58+a45);
+  a43=(a15*a43);
+  a45=(a13*a43);
+  a39=(a39*a45);
+  a58=(a58-a39);
+  a29=(a29*a57);
+  a27=(a27*a29);
+  a58=(a58-a27);
+  a17=(a15*a17);
+  a27=(a13*a17);
+  a10=(a10*a27);
+  a58=(a58-a10);
+  a10=(2.*a07);
+  a39=(2.*a05);
+  a39=(a39+a19);
+  a41=arg[20]? arg[20][0] : 0;
+  a56=arg[21]? arg[21][0] : 0;
+  a41=(a41-a56);
+  a59=(a41/a01);
+  a60=(a39*a59);
+  a61=(a13*a60);
+  a62=(a10*a61);
+  a58=(a58+a62);
+  if (res[2]!=0) res[2][0]=a58;
+  a58=(2.*a31);
+  a52=(a52*a57);
+  a58=(a58*a52);
+  a46=(a46*a00);
+  a58=(a58+a46);
+  a33=(a33*a57);
+  a30=(a30*a33);
+  a58=(a58-a30);
+  if (res[3]!=0) res[3][0]=a58;
+  a58=(2.*a02);
+  a55=(a55*a18);
+  a58=(a58*a55);
+  a55=(2.*a02);
+  a42=(a42*a57);
+  a55=(a55*a42);
+  a58=(a58-a55);
+  a55=(2.*a02);
+  a36=(a36*a57);
+  a55=(a55*a36);
+  a58=(a58+a55);
+  a55=(2.*a02);
+  a16=(a16*a57);
+  a55=(a55*a16);
+  a58=(a58-a55);
+  a02=(2.*a02);
+  a53=(a53*a57);
+  a50=(a50*a57);
+  a53=(a53+a50);
+  a49=(a49*a53);
+  a49=(a04*a49);
+  a14=(a11*a14);
+  a44=(a44*a14);
+  a49=(a49+a44);
+  a45=(a11*a45);
+  a38=(a38*a45);
+  a49=(a49-a38);
+  a31=(a31*a33);
+  a33=(a05*a31);
+  a49=(a49-a33);
+  a29=(a11*a29);
+  a33=(a05*a29);
+  a49=(a49-a33);
+  a10=(a10*a11);
+  a33=(a10*a13);
+  a59=(a33*a59);
+  a49=(a49+a59);
+  a25=(a25*a49);
+  a02=(a02*a25);
+  a58=(a58+a02);
+  if (res[4]!=0) res[4][0]=a58;
+  a26=(a26*a49);
+  a23=(a23*a26);
+  if (res[5]!=0) res[5][0]=a23;
+  a24=(a24*a26);
+  a22=(a22*a24);
+  a20=(a20*a22);
+  if (res[6]!=0) res[6][0]=a20;
+  a21=(a21*a24);
+  if (res[7]!=0) res[7][0]=a21;
+  a51=(a51*a53);
+  a47=(a47*a57);
+  a51=(a51+a47);
+  a13=(a13*a51);
+  a47=(a07*a13);
+  a15=(a15*a35);
+  a47=(a47+a15);
+  a31=(a19*a31);
+  a47=(a47-a31);
+  a29=(a19*a29);
+  a47=(a47-a29);
+  a27=(a11*a27);
+  a07=(a07*a27);
+  a04=(a04*a07);
+  a47=(a47-a04);
+  a59=(2.*a59);
+  a47=(a47+a59);
+  a59=arg[19]? arg[19][0] : 0;
+  a56=(a56+a59);
+  a59=(a01*a56);
+  a47=(a47+a59);
+  if (res[8]!=0) res[8][0]=a47;
+  if (res[9]!=0) res[9][0]=a49;
+  a13=(a05*a13);
+  a19=(a19*a45);
+  a19=(-a19);
+  a19=(2.*a19);
+  a13=(a13+a19);
+  a06=(a06*a27);
+  a13=(a13-a06);
+  a11=(a11*a61);
+  a11=(2.*a11);
+  a13=(a13+a11);
+  a08=(a08*a13);
+  if (res[10]!=0) res[10][0]=a08;
+  if (res[11]!=0) res[11][0]=a13;
+  a09=(a09*a13);
+  a09=(2.*a09);
+  if (res[12]!=0) res[12][0]=a09;
+  a48=(a48*a51);
+  a40=(a40*a43);
+  a48=(a48-a40);
+  a12=(a12*a17);
+  a48=(a48-a12);
+  a10=(a10*a60);
+  a48=(a48+a10);
+  if (res[13]!=0) res[13][0]=a48;
+  a54=(a54*a03);
+  a03=(2.*a01);
+  a34=(a34*a37);
+  a03=(a03*a34);
+  a54=(a54+a03);
+  a03=(2.*a01);
+  a32=(a32*a57);
+  a03=(a03*a32);
+  a54=(a54-a03);
+  a03=(2.*a01);
+  a28=(a28*a57);
+  a03=(a03*a28);
+  a54=(a54-a03);
+  a33=(a33*a39);
+  a33=(a33/a01);
+  a33=(a33/a01);
+  a33=(a33*a41);
+  a54=(a54-a33);
+  a05=(a05*a56);
+  a54=(a54+a05);
+  if (res[14]!=0) res[14][0]=a54;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_toe_effects(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f66(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_toe_effects_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_toe_effects_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_toe_effects_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_toe_effects_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_toe_effects_n_in(void) { return 23;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_toe_effects_n_out(void) { return 15;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_toe_effects_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_toe_effects_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    case 10: return "Fz";
+    case 11: return "B3";
+    case 12: return "C3";
+    case 13: return "h_cg";
+    case 14: return "track";
+    case 15: return "out_toe_pull";
+    case 16: return "out_toe_load";
+    case 17: return "out_toe_yaw_stiffness";
+    case 18: return "out_toe_determinant";
+    case 19: return "adj_toe_pull";
+    case 20: return "adj_toe_load";
+    case 21: return "adj_toe_yaw_stiffness";
+    case 22: return "adj_toe_determinant";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_toe_effects_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_m";
+    case 1: return "adj_Izz";
+    case 2: return "adj_a";
+    case 3: return "adj_b";
+    case 4: return "adj_u";
+    case 5: return "adj_rho";
+    case 6: return "adj_Ap";
+    case 7: return "adj_CL_gamma";
+    case 8: return "adj_C_alpha";
+    case 9: return "adj_Ct";
+    case 10: return "adj_Fz";
+    case 11: return "adj_B3";
+    case 12: return "adj_C3";
+    case 13: return "adj_h_cg";
+    case 14: return "adj_track";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_toe_effects_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    case 15: return casadi_s1;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s1;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_toe_effects_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_toe_effects_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 23;
+  if (sz_res) *sz_res = 15;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_toe_effects_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 23*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 15*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_toe_effects:(m,Izz,a,b,u,rho,Ap,CL_gamma,C_alpha,Ct,Fz,B3,C3,h_cg,track,out_toe_pull[1x1,0nz],out_toe_load[1x1,0nz],out_toe_yaw_stiffness[1x1,0nz],out_toe_determinant[1x1,0nz],adj_toe_pull,adj_toe_load,adj_toe_yaw_stiffness,adj_toe_determinant,out_adj_m[1x1,0nz],out_adj_Izz[1x1,0nz],out_adj_a[1x1,0nz],out_adj_b[1x1,0nz],out_adj_u[1x1,0nz],out_adj_rho[1x1,0nz],out_adj_Ap[1x1,0nz],out_adj_CL_gamma[1x1,0nz],out_adj_C_alpha[1x1,0nz],out_adj_Ct[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_h_cg[1x1,0nz],out_adj_track[1x1,0nz],fwd_m,fwd_Izz,fwd_a,fwd_b,fwd_u,fwd_rho,fwd_Ap,fwd_CL_gamma,fwd_C_alpha,fwd_Ct,fwd_Fz,fwd_B3,fwd_C3,fwd_h_cg,fwd_track,fwd_out_toe_pull[1x1,0nz],fwd_out_toe_load[1x1,0nz],fwd_out_toe_yaw_stiffness[1x1,0nz],fwd_out_toe_determinant[1x1,0nz],fwd_adj_toe_pull,fwd_adj_toe_load,fwd_adj_toe_yaw_stiffness,fwd_adj_toe_determinant)->(fwd_adj_m,fwd_adj_Izz,fwd_adj_a,fwd_adj_b,fwd_adj_u,fwd_adj_rho,fwd_adj_Ap,fwd_adj_CL_gamma,fwd_adj_C_alpha,fwd_adj_Ct,fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3,fwd_adj_h_cg,fwd_adj_track) */
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
+  casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
+  casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
+  casadi_real a036, a037, a038, a039, a040, a041, a042, a043, a044, a045, a046, a047;
+  casadi_real a048, a049, a050, a051, a052, a053, a054, a055, a056, a057, a058, a059;
+  casadi_real a060, a061, a062, a063, a064, a065, a066, a067, a068, a069, a070, a071;
+  casadi_real a072, a073, a074, a075, a076, a077, a078, a079, a080, a081, a082, a083;
+  casadi_real a084, a085, a086, a087, a088, a089, a090, a091, a092, a093, a094, a095;
+  casadi_real a096, a097, a098, a099, a100, a101, a102, a103, a104, a105, a106, a107;
+  casadi_real a108, a109, a110, a111, a112, a113, a114, a115, a116, a117, a118, a119;
+  casadi_real a120, a121;
+  a000=arg[14]? arg[14][0] : 0;
+  a001=arg[4]? arg[4][0] : 0;
+  a002=casadi_sq(a001);
+  a003=4.;
+  a004=arg[8]? arg[8][0] : 0;
+  a005=(a003*a004);
+  a006=arg[11]? arg[11][0] : 0;
+  a007=arg[12]? arg[12][0] : 0;
+  a007=(2.*a007);
+  a008=arg[10]? arg[10][0] : 0;
+  a009=(a007*a008);
+  a006=(a006+a009);
+  a009=(a005*a006);
+  a010=arg[2]? arg[2][0] : 0;
+  a011=(a009*a010);
+  a012=arg[13]? arg[13][0] : 0;
+  a013=(a011*a012);
+  a014=arg[0]? arg[0][0] : 0;
+  a015=(a013*a014);
+  a016=casadi_sq(a001);
+  a017=(a015*a016);
+  a018=arg[9]? arg[9][0] : 0;
+  a019=5.0000000000000000e-01;
+  a020=arg[6]? arg[6][0] : 0;
+  a020=(a019*a020);
+  a021=arg[7]? arg[7][0] : 0;
+  a022=(a020*a021);
+  a023=arg[5]? arg[5][0] : 0;
+  a024=(a022*a023);
+  a025=casadi_sq(a001);
+  a026=(a024*a025);
+  a018=(a018+a026);
+  a026=(a004*a018);
+  a027=(a026*a010);
+  a028=casadi_sq(a000);
+  a029=(a027*a028);
+  a017=(a017+a029);
+  a029=(a004*a018);
+  a030=arg[3]? arg[3][0] : 0;
+  a031=(a029*a030);
+  a032=casadi_sq(a000);
+  a033=(a031*a032);
+  a017=(a017+a033);
+  a033=(a004*a014);
+  a034=casadi_sq(a000);
+  a035=(a033*a034);
+  a036=casadi_sq(a001);
+  a037=(a035*a036);
+  a017=(a017-a037);
+  a037=(2.*a006);
+  a038=(a037*a018);
+  a039=(a038*a010);
+  a040=(a039*a012);
+  a041=(a040*a014);
+  a042=casadi_sq(a001);
+  a043=(a041*a042);
+  a017=(a017+a043);
+  a043=8.;
+  a044=(a043*a018);
+  a045=(a044*a010);
+  a046=(a045*a030);
+  a047=(a004*a006);
+  a048=(a047*a012);
+  a049=(a046*a048);
+  a017=(a017-a049);
+  a049=casadi_sq(a010);
+  a050=(a003*a018);
+  a051=(a050*a048);
+  a052=(a049*a051);
+  a017=(a017-a052);
+  a052=casadi_sq(a030);
+  a053=(a052*a051);
+  a017=(a017-a053);
+  a053=arg[1]? arg[1][0] : 0;
+  a054=(a053*a014);
+  a055=(a054*a000);
+  a056=(a055*a002);
+  a017=(a017/a056);
+  a057=(a017/a056);
+  a058=arg[22]? arg[22][0] : 0;
+  a059=(a057*a058);
+  a060=(a002*a059);
+  a061=(a000*a060);
+  a062=arg[39]? arg[39][0] : 0;
+  a063=(a061*a062);
+  a064=arg[52]? arg[52][0] : 0;
+  a065=(a060*a064);
+  a066=(2.*a001);
+  a067=arg[42]? arg[42][0] : 0;
+  a066=(a066*a067);
+  a068=(a059*a066);
+  a069=arg[46]? arg[46][0] : 0;
+  a070=(a003*a069);
+  a071=(a006*a070);
+  a072=arg[49]? arg[49][0] : 0;
+  a073=arg[50]? arg[50][0] : 0;
+  a073=(2.*a073);
+  a074=(a008*a073);
+  a075=arg[48]? arg[48][0] : 0;
+  a076=(a007*a075);
+  a074=(a074+a076);
+  a072=(a072+a074);
+  a074=(a005*a072);
+  a071=(a071+a074);
+  a074=(a010*a071);
+  a076=arg[40]? arg[40][0] : 0;
+  a077=(a009*a076);
+  a074=(a074+a077);
+  a077=(a012*a074);
+  a078=arg[51]? arg[51][0] : 0;
+  a079=(a011*a078);
+  a077=(a077+a079);
+  a079=(a014*a077);
+  a080=arg[38]? arg[38][0] : 0;
+  a081=(a013*a080);
+  a079=(a079+a081);
+  a081=(a016*a079);
+  a082=(2.*a001);
+  a082=(a082*a067);
+  a083=(a015*a082);
+  a081=(a081+a083);
+  a083=(a018*a069);
+  a084=arg[47]? arg[47][0] : 0;
+  a085=arg[44]? arg[44][0] : 0;
+  a085=(a019*a085);
+  a086=(a021*a085);
+  a087=arg[45]? arg[45][0] : 0;
+  a088=(a020*a087);
+  a086=(a086+a088);
+  a088=(a023*a086);
+  a089=arg[43]? arg[43][0] : 0;
+  a090=(a022*a089);
+  a088=(a088+a090);
+  a090=(a025*a088);
+  a091=(2.*a001);
+  a091=(a091*a067);
+  a092=(a024*a091);
+  a090=(a090+a092);
+  a084=(a084+a090);
+  a090=(a004*a084);
+  a083=(a083+a090);
+  a090=(a010*a083);
+  a092=(a026*a076);
+  a090=(a090+a092);
+  a092=(a028*a090);
+  a093=(2.*a000);
+  a093=(a093*a064);
+  a094=(a027*a093);
+  a092=(a092+a094);
+  a081=(a081+a092);
+  a092=(a018*a069);
+  a094=(a004*a084);
+  a092=(a092+a094);
+  a094=(a030*a092);
+  a095=arg[41]? arg[41][0] : 0;
+  a096=(a029*a095);
+  a094=(a094+a096);
+  a096=(a032*a094);
+  a097=(2.*a000);
+  a097=(a097*a064);
+  a098=(a031*a097);
+  a096=(a096+a098);
+  a081=(a081+a096);
+  a096=(a014*a069);
+  a098=(a004*a080);
+  a096=(a096+a098);
+  a098=(a034*a096);
+  a099=(2.*a000);
+  a099=(a099*a064);
+  a100=(a033*a099);
+  a098=(a098+a100);
+  a100=(a036*a098);
+  a101=(2.*a001);
+  a101=(a101*a067);
+  a102=(a035*a101);
+  a100=(a100+a102);
+  a081=(a081-a100);
+  a100=(2.*a072);
+  a102=(a018*a100);
+  a103=(a037*a084);
+  a102=(a102+a103);
+  a103=(a010*a102);
+  a104=(a038*a076);
+  a103=(a103+a104);
+  a104=(a012*a103);
+  a105=(a039*a078);
+  a104=(a104+a105);
+  a105=(a014*a104);
+  a106=(a040*a080);
+  a105=(a105+a106);
+  a106=(a042*a105);
+  a107=(2.*a001);
+  a107=(a107*a067);
+  a108=(a041*a107);
+  a106=(a106+a108);
+  a081=(a081+a106);
+  a106=(a043*a084);
+  a108=(a010*a106);
+  a109=(a044*a076);
+  a108=(a108+a109);
+  a109=(a030*a108);
+  a110=(a045*a095);
+  a109=(a109+a110);
+  a110=(a048*a109);
+  a111=(a006*a069);
+  a112=(a004*a072);
+  a111=(a111+a112);
+  a112=(a012*a111);
+  a113=(a047*a078);
+  a112=(a112+a113);
+  a113=(a046*a112);
+  a110=(a110+a113);
+  a081=(a081-a110);
+  a110=(2.*a010);
+  a110=(a110*a076);
+  a113=(a051*a110);
+  a114=(a003*a084);
+  a115=(a048*a114);
+  a116=(a050*a112);
+  a115=(a115+a116);
+  a116=(a049*a115);
+  a113=(a113+a116);
+  a081=(a081-a113);
+  a113=(2.*a030);
+  a113=(a113*a095);
+  a116=(a051*a113);
+  a117=(a052*a115);
+  a116=(a116+a117);
+  a081=(a081-a116);
+  a081=(a081/a056);
+  a017=(a017/a056);
+  a062=(a014*a062);
+  a116=(a053*a080);
+  a062=(a062+a116);
+  a116=(a000*a062);
+  a117=(a054*a064);
+  a116=(a116+a117);
+  a117=(a002*a116);
+  a066=(a055*a066);
+  a117=(a117+a066);
+  a017=(a017*a117);
+  a081=(a081-a017);
+  a081=(a081/a056);
+  a017=(a057/a056);
+  a017=(a017*a117);
+  a081=(a081-a017);
+  a081=(a058*a081);
+  a017=arg[60]? arg[60][0] : 0;
+  a057=(a057*a017);
+  a081=(a081+a057);
+  a002=(a002*a081);
+  a068=(a068+a002);
+  a002=(a000*a068);
+  a065=(a065+a002);
+  a053=(a053*a065);
+  a063=(a063+a053);
+  a058=(a058/a056);
+  a053=(a042*a058);
+  a104=(a053*a104);
+  a107=(a058*a107);
+  a017=(a017/a056);
+  a056=(a058/a056);
+  a056=(a056*a117);
+  a017=(a017-a056);
+  a042=(a042*a017);
+  a107=(a107+a042);
+  a040=(a040*a107);
+  a104=(a104+a040);
+  a063=(a063-a104);
+  a104=(a036*a058);
+  a040=(a034*a104);
+  a042=(a040*a069);
+  a099=(a104*a099);
+  a101=(a058*a101);
+  a036=(a036*a017);
+  a101=(a101+a036);
+  a034=(a034*a101);
+  a099=(a099+a034);
+  a034=(a004*a099);
+  a042=(a042+a034);
+  a063=(a063+a042);
+  a042=(a016*a058);
+  a077=(a042*a077);
+  a082=(a058*a082);
+  a016=(a016*a017);
+  a082=(a082+a016);
+  a013=(a013*a082);
+  a077=(a077+a013);
+  a063=(a063-a077);
+  if (res[0]!=0) res[0][0]=a063;
+  a061=(a061*a080);
+  a065=(a014*a065);
+  a061=(a061+a065);
+  if (res[1]!=0) res[1][0]=a061;
+  a061=(a051*a058);
+  a065=(2.*a076);
+  a061=(a061*a065);
+  a065=(2.*a010);
+  a063=(a058*a115);
+  a077=(a051*a017);
+  a063=(a063+a077);
+  a065=(a065*a063);
+  a061=(a061+a065);
+  a065=(a048*a058);
+  a063=(a030*a065);
+  a106=(a063*a106);
+  a077=(a065*a095);
+  a013=(a058*a112);
+  a016=(a048*a017);
+  a013=(a013+a016);
+  a016=(a030*a013);
+  a077=(a077+a016);
+  a044=(a044*a077);
+  a106=(a106+a044);
+  a061=(a061+a106);
+  a106=(a014*a053);
+  a044=(a012*a106);
+  a102=(a044*a102);
+  a016=(a106*a078);
+  a053=(a053*a080);
+  a107=(a014*a107);
+  a053=(a053+a107);
+  a107=(a012*a053);
+  a016=(a016+a107);
+  a038=(a038*a016);
+  a102=(a102+a038);
+  a061=(a061-a102);
+  a102=(a028*a058);
+  a083=(a102*a083);
+  a093=(a058*a093);
+  a028=(a028*a017);
+  a093=(a093+a028);
+  a026=(a026*a093);
+  a083=(a083+a026);
+  a061=(a061-a083);
+  a083=(a014*a042);
+  a026=(a012*a083);
+  a071=(a026*a071);
+  a028=(a083*a078);
+  a042=(a042*a080);
+  a082=(a014*a082);
+  a042=(a042+a082);
+  a082=(a012*a042);
+  a028=(a028+a082);
+  a009=(a009*a028);
+  a071=(a071+a009);
+  a061=(a061-a071);
+  a071=(2.*a004);
+  a071=(a071+a018);
+  a009=arg[20]? arg[20][0] : 0;
+  a082=arg[21]? arg[21][0] : 0;
+  a009=(a009-a082);
+  a038=(a009/a000);
+  a107=(a071*a038);
+  a034=(a012*a107);
+  a036=(2.*a072);
+  a056=(a034*a036);
+  a117=(2.*a006);
+  a002=(a107*a078);
+  a057=(2.*a069);
+  a057=(a057+a084);
+  a066=(a038*a057);
+  a118=arg[58]? arg[58][0] : 0;
+  a119=arg[59]? arg[59][0] : 0;
+  a118=(a118-a119);
+  a120=(a118/a000);
+  a121=(a038/a000);
+  a121=(a121*a064);
+  a120=(a120-a121);
+  a121=(a071*a120);
+  a066=(a066+a121);
+  a121=(a012*a066);
+  a002=(a002+a121);
+  a121=(a117*a002);
+  a056=(a056+a121);
+  a061=(a061+a056);
+  if (res[2]!=0) res[2][0]=a061;
+  a061=(a051*a058);
+  a056=(2.*a095);
+  a061=(a061*a056);
+  a056=(2.*a030);
+  a115=(a058*a115);
+  a051=(a051*a017);
+  a115=(a115+a051);
+  a056=(a056*a115);
+  a061=(a061+a056);
+  a065=(a065*a108);
+  a045=(a045*a013);
+  a065=(a065+a045);
+  a061=(a061+a065);
+  a065=(a032*a058);
+  a092=(a065*a092);
+  a097=(a058*a097);
+  a032=(a032*a017);
+  a097=(a097+a032);
+  a029=(a029*a097);
+  a092=(a092+a029);
+  a061=(a061-a092);
+  if (res[3]!=0) res[3][0]=a061;
+  a061=(a055*a059);
+  a092=(2.*a067);
+  a061=(a061*a092);
+  a092=(2.*a001);
+  a059=(a059*a116);
+  a055=(a055*a081);
+  a059=(a059+a055);
+  a092=(a092*a059);
+  a061=(a061+a092);
+  a092=(a041*a058);
+  a059=(2.*a067);
+  a092=(a092*a059);
+  a059=(2.*a001);
+  a105=(a058*a105);
+  a041=(a041*a017);
+  a105=(a105+a041);
+  a059=(a059*a105);
+  a092=(a092+a059);
+  a061=(a061-a092);
+  a092=(a035*a058);
+  a059=(2.*a067);
+  a092=(a092*a059);
+  a059=(2.*a001);
+  a098=(a058*a098);
+  a035=(a035*a017);
+  a098=(a098+a035);
+  a059=(a059*a098);
+  a092=(a092+a059);
+  a061=(a061+a092);
+  a092=(a015*a058);
+  a059=(2.*a067);
+  a092=(a092*a059);
+  a059=(2.*a001);
+  a079=(a058*a079);
+  a015=(a015*a017);
+  a079=(a079+a015);
+  a059=(a059*a079);
+  a092=(a092+a059);
+  a061=(a061-a092);
+  a092=(a052*a058);
+  a059=(a049*a058);
+  a092=(a092+a059);
+  a059=(a048*a092);
+  a059=(a003*a059);
+  a079=(a010*a063);
+  a079=(a043*a079);
+  a059=(a059+a079);
+  a079=(a010*a044);
+  a015=(a037*a079);
+  a059=(a059-a015);
+  a015=(a030*a065);
+  a098=(a004*a015);
+  a059=(a059-a098);
+  a098=(a010*a102);
+  a035=(a004*a098);
+  a059=(a059-a035);
+  a035=(a117*a010);
+  a105=(a035*a012);
+  a041=(a105*a038);
+  a059=(a059+a041);
+  a041=(a024*a059);
+  a067=(2.*a067);
+  a041=(a041*a067);
+  a001=(2.*a001);
+  a088=(a059*a088);
+  a112=(a092*a112);
+  a113=(a058*a113);
+  a052=(a052*a017);
+  a113=(a113+a052);
+  a110=(a058*a110);
+  a049=(a049*a017);
+  a110=(a110+a049);
+  a113=(a113+a110);
+  a048=(a048*a113);
+  a112=(a112+a048);
+  a112=(a003*a112);
+  a063=(a063*a076);
+  a077=(a010*a077);
+  a063=(a063+a077);
+  a043=(a043*a063);
+  a112=(a112+a043);
+  a100=(a079*a100);
+  a044=(a044*a076);
+  a016=(a010*a016);
+  a044=(a044+a016);
+  a037=(a037*a044);
+  a100=(a100+a037);
+  a112=(a112-a100);
+  a100=(a015*a069);
+  a065=(a065*a095);
+  a030=(a030*a097);
+  a065=(a065+a030);
+  a030=(a004*a065);
+  a100=(a100+a030);
+  a112=(a112-a100);
+  a100=(a098*a069);
+  a102=(a102*a076);
+  a093=(a010*a093);
+  a102=(a102+a093);
+  a093=(a004*a102);
+  a100=(a100+a093);
+  a112=(a112-a100);
+  a036=(a010*a036);
+  a117=(a117*a076);
+  a036=(a036+a117);
+  a117=(a012*a036);
+  a100=(a035*a078);
+  a117=(a117+a100);
+  a038=(a038*a117);
+  a120=(a105*a120);
+  a038=(a038+a120);
+  a112=(a112+a038);
+  a024=(a024*a112);
+  a088=(a088+a024);
+  a001=(a001*a088);
+  a041=(a041+a001);
+  a061=(a061+a041);
+  if (res[4]!=0) res[4][0]=a061;
+  a061=(a025*a059);
+  a086=(a061*a086);
+  a059=(a059*a091);
+  a025=(a025*a112);
+  a059=(a059+a025);
+  a022=(a022*a059);
+  a086=(a086+a022);
+  if (res[5]!=0) res[5][0]=a086;
+  a086=(a023*a061);
+  a087=(a086*a087);
+  a061=(a061*a089);
+  a023=(a023*a059);
+  a061=(a061+a023);
+  a021=(a021*a061);
+  a087=(a087+a021);
+  a019=(a019*a087);
+  if (res[6]!=0) res[6][0]=a019;
+  a086=(a086*a085);
+  a020=(a020*a061);
+  a086=(a086+a020);
+  if (res[7]!=0) res[7][0]=a086;
+  a086=(a050*a092);
+  a020=(a046*a058);
+  a086=(a086+a020);
+  a020=(a012*a086);
+  a061=(a020*a072);
+  a078=(a086*a078);
+  a092=(a092*a114);
+  a050=(a050*a113);
+  a092=(a092+a050);
+  a109=(a058*a109);
+  a046=(a046*a017);
+  a109=(a109+a046);
+  a092=(a092+a109);
+  a012=(a012*a092);
+  a078=(a078+a012);
+  a012=(a006*a078);
+  a061=(a061+a012);
+  a040=(a040*a080);
+  a014=(a014*a099);
+  a040=(a040+a014);
+  a061=(a061+a040);
+  a015=(a015*a084);
+  a065=(a018*a065);
+  a015=(a015+a065);
+  a061=(a061-a015);
+  a098=(a098*a084);
+  a102=(a018*a102);
+  a098=(a098+a102);
+  a061=(a061-a098);
+  a098=(a010*a026);
+  a072=(a098*a072);
+  a026=(a026*a076);
+  a028=(a010*a028);
+  a026=(a026+a028);
+  a006=(a006*a026);
+  a072=(a072+a006);
+  a003=(a003*a072);
+  a061=(a061-a003);
+  a038=(2.*a038);
+  a061=(a061+a038);
+  a038=arg[19]? arg[19][0] : 0;
+  a082=(a082+a038);
+  a038=(a082*a064);
+  a003=arg[57]? arg[57][0] : 0;
+  a119=(a119+a003);
+  a003=(a000*a119);
+  a038=(a038+a003);
+  a061=(a061+a038);
+  if (res[8]!=0) res[8][0]=a061;
+  if (res[9]!=0) res[9][0]=a112;
+  a112=(a004*a020);
+  a061=(a018*a079);
+  a061=(-a061);
+  a061=(2.*a061);
+  a112=(a112+a061);
+  a061=(a005*a098);
+  a112=(a112-a061);
+  a061=(a010*a034);
+  a061=(2.*a061);
+  a112=(a112+a061);
+  a073=(a112*a073);
+  a020=(a020*a069);
+  a078=(a004*a078);
+  a020=(a020+a078);
+  a079=(a079*a084);
+  a018=(a018*a044);
+  a079=(a079+a018);
+  a079=(-a079);
+  a079=(2.*a079);
+  a020=(a020+a079);
+  a098=(a098*a070);
+  a005=(a005*a026);
+  a098=(a098+a005);
+  a020=(a020-a098);
+  a034=(a034*a076);
+  a010=(a010*a002);
+  a034=(a034+a010);
+  a034=(2.*a034);
+  a020=(a020+a034);
+  a007=(a007*a020);
+  a073=(a073+a007);
+  if (res[10]!=0) res[10][0]=a073;
+  if (res[11]!=0) res[11][0]=a020;
+  a112=(a112*a075);
+  a008=(a008*a020);
+  a112=(a112+a008);
+  a112=(2.*a112);
+  if (res[12]!=0) res[12][0]=a112;
+  a086=(a086*a111);
+  a047=(a047*a092);
+  a086=(a086+a047);
+  a106=(a106*a103);
+  a039=(a039*a053);
+  a106=(a106+a039);
+  a086=(a086-a106);
+  a083=(a083*a074);
+  a011=(a011*a042);
+  a083=(a083+a011);
+  a086=(a086-a083);
+  a107=(a107*a036);
+  a035=(a035*a066);
+  a107=(a107+a035);
+  a086=(a086+a107);
+  if (res[13]!=0) res[13][0]=a086;
+  a060=(a060*a062);
+  a054=(a054*a068);
+  a060=(a060+a054);
+  a054=(a033*a104);
+  a068=(2.*a064);
+  a054=(a054*a068);
+  a068=(2.*a000);
+  a104=(a104*a096);
+  a033=(a033*a101);
+  a104=(a104+a033);
+  a068=(a068*a104);
+  a054=(a054+a068);
+  a060=(a060+a054);
+  a054=(a031*a058);
+  a068=(2.*a064);
+  a054=(a054*a068);
+  a068=(2.*a000);
+  a094=(a058*a094);
+  a031=(a031*a017);
+  a094=(a094+a031);
+  a068=(a068*a094);
+  a054=(a054+a068);
+  a060=(a060-a054);
+  a054=(a027*a058);
+  a068=(2.*a064);
+  a054=(a054*a068);
+  a068=(2.*a000);
+  a058=(a058*a090);
+  a027=(a027*a017);
+  a058=(a058+a027);
+  a068=(a068*a058);
+  a054=(a054+a068);
+  a060=(a060-a054);
+  a117=(a071*a117);
+  a057=(a105*a057);
+  a117=(a117+a057);
+  a117=(a117/a000);
+  a105=(a105*a071);
+  a105=(a105/a000);
+  a071=(a105/a000);
+  a071=(a071*a064);
+  a117=(a117-a071);
+  a117=(a117/a000);
+  a105=(a105/a000);
+  a000=(a105/a000);
+  a000=(a000*a064);
+  a117=(a117-a000);
+  a009=(a009*a117);
+  a105=(a105*a118);
+  a009=(a009+a105);
+  a060=(a060-a009);
+  a082=(a082*a069);
+  a004=(a004*a119);
+  a082=(a082+a004);
+  a060=(a060+a082);
+  if (res[14]!=0) res[14][0]=a060;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_toe_effects(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f67(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_toe_effects_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_toe_effects_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_toe_effects_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_toe_effects_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_toe_effects_n_in(void) { return 61;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_toe_effects_n_out(void) { return 15;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_toe_effects_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_toe_effects_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "m";
+    case 1: return "Izz";
+    case 2: return "a";
+    case 3: return "b";
+    case 4: return "u";
+    case 5: return "rho";
+    case 6: return "Ap";
+    case 7: return "CL_gamma";
+    case 8: return "C_alpha";
+    case 9: return "Ct";
+    case 10: return "Fz";
+    case 11: return "B3";
+    case 12: return "C3";
+    case 13: return "h_cg";
+    case 14: return "track";
+    case 15: return "out_toe_pull";
+    case 16: return "out_toe_load";
+    case 17: return "out_toe_yaw_stiffness";
+    case 18: return "out_toe_determinant";
+    case 19: return "adj_toe_pull";
+    case 20: return "adj_toe_load";
+    case 21: return "adj_toe_yaw_stiffness";
+    case 22: return "adj_toe_determinant";
+    case 23: return "out_adj_m";
+    case 24: return "out_adj_Izz";
+    case 25: return "out_adj_a";
+    case 26: return "out_adj_b";
+    case 27: return "out_adj_u";
+    case 28: return "out_adj_rho";
+    case 29: return "out_adj_Ap";
+    case 30: return "out_adj_CL_gamma";
+    case 31: return "out_adj_C_alpha";
+    case 32: return "out_adj_Ct";
+    case 33: return "out_adj_Fz";
+    case 34: return "out_adj_B3";
+    case 35: return "out_adj_C3";
+    case 36: return "out_adj_h_cg";
+    case 37: return "out_adj_track";
+    case 38: return "fwd_m";
+    case 39: return "fwd_Izz";
+    case 40: return "fwd_a";
+    case 41: return "fwd_b";
+    case 42: return "fwd_u";
+    case 43: return "fwd_rho";
+    case 44: return "fwd_Ap";
+    case 45: return "fwd_CL_gamma";
+    case 46: return "fwd_C_alpha";
+    case 47: return "fwd_Ct";
+    case 48: return "fwd_Fz";
+    case 49: return "fwd_B3";
+    case 50: return "fwd_C3";
+    case 51: return "fwd_h_cg";
+    case 52: return "fwd_track";
+    case 53: return "fwd_out_toe_pull";
+    case 54: return "fwd_out_toe_load";
+    case 55: return "fwd_out_toe_yaw_stiffness";
+    case 56: return "fwd_out_toe_determinant";
+    case 57: return "fwd_adj_toe_pull";
+    case 58: return "fwd_adj_toe_load";
+    case 59: return "fwd_adj_toe_yaw_stiffness";
+    case 60: return "fwd_adj_toe_determinant";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_toe_effects_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_m";
+    case 1: return "fwd_adj_Izz";
+    case 2: return "fwd_adj_a";
+    case 3: return "fwd_adj_b";
+    case 4: return "fwd_adj_u";
+    case 5: return "fwd_adj_rho";
+    case 6: return "fwd_adj_Ap";
+    case 7: return "fwd_adj_CL_gamma";
+    case 8: return "fwd_adj_C_alpha";
+    case 9: return "fwd_adj_Ct";
+    case 10: return "fwd_adj_Fz";
+    case 11: return "fwd_adj_B3";
+    case 12: return "fwd_adj_C3";
+    case 13: return "fwd_adj_h_cg";
+    case 14: return "fwd_adj_track";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_toe_effects_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    case 15: return casadi_s1;
+    case 16: return casadi_s1;
+    case 17: return casadi_s1;
+    case 18: return casadi_s1;
+    case 19: return casadi_s0;
+    case 20: return casadi_s0;
+    case 21: return casadi_s0;
+    case 22: return casadi_s0;
+    case 23: return casadi_s1;
+    case 24: return casadi_s1;
+    case 25: return casadi_s1;
+    case 26: return casadi_s1;
+    case 27: return casadi_s1;
+    case 28: return casadi_s1;
+    case 29: return casadi_s1;
+    case 30: return casadi_s1;
+    case 31: return casadi_s1;
+    case 32: return casadi_s1;
+    case 33: return casadi_s1;
+    case 34: return casadi_s1;
+    case 35: return casadi_s1;
+    case 36: return casadi_s1;
+    case 37: return casadi_s1;
+    case 38: return casadi_s0;
+    case 39: return casadi_s0;
+    case 40: return casadi_s0;
+    case 41: return casadi_s0;
+    case 42: return casadi_s0;
+    case 43: return casadi_s0;
+    case 44: return casadi_s0;
+    case 45: return casadi_s0;
+    case 46: return casadi_s0;
+    case 47: return casadi_s0;
+    case 48: return casadi_s0;
+    case 49: return casadi_s0;
+    case 50: return casadi_s0;
+    case 51: return casadi_s0;
+    case 52: return casadi_s0;
+    case 53: return casadi_s1;
+    case 54: return casadi_s1;
+    case 55: return casadi_s1;
+    case 56: return casadi_s1;
+    case 57: return casadi_s0;
+    case 58: return casadi_s0;
+    case 59: return casadi_s0;
+    case 60: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_toe_effects_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s0;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_toe_effects_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 61;
+  if (sz_res) *sz_res = 15;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_toe_effects_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 61*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 15*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 0*sizeof(casadi_real);
   return 0;

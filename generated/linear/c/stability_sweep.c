@@ -1435,3 +1435,113 @@ SHOWN void sweep_at_tail_load(int64_t n, int64_t threads, const double *const *p
 {
     sweep(at_tail_load_any, 13, 2, n, threads, p, stride, y);
 }
+
+static void toe_effects_block(int64_t n, const double *restrict p0, const double *restrict p1, const double *restrict p2, const double *restrict p3, const double *restrict p4, const double *restrict p5, const double *restrict p6, const double *restrict p7, const double *restrict p8, const double *restrict p9, const double *restrict p10, const double *restrict p11, const double *restrict p12, const double *restrict p13, const double *restrict p14, double *y0, double *y1, double *y2, double *y3)
+{
+    _Pragma("omp simd")
+    for (int64_t i = 0; i < n; ++i) {
+        const double w0 = p8[i];
+        const double w1 = p14[i];
+        const double w2 = w0 * w1;
+        y0[i] = w2;
+        const double w4 = p11[i];
+        const double w5 = p12[i];
+        const double w6 = 2.0 * w5;
+        const double w7 = p10[i];
+        const double w8 = w6 * w7;
+        const double w9 = w4 + w8;
+        const double w10 = 2.0 * w9;
+        const double w11 = p2[i];
+        const double w12 = w10 * w11;
+        const double w13 = p13[i];
+        const double w14 = w12 * w13;
+        const double w15 = 2.0 * w0;
+        const double w16 = p9[i];
+        const double w17 = 0.5;
+        const double w18 = p6[i];
+        const double w19 = w17 * w18;
+        const double w20 = p7[i];
+        const double w21 = w19 * w20;
+        const double w22 = p5[i];
+        const double w23 = w21 * w22;
+        const double w24 = p4[i];
+        const double w25 = w24 * w24;
+        const double w26 = w23 * w25;
+        const double w27 = w16 + w26;
+        const double w28 = w15 + w27;
+        const double w29 = w14 * w28;
+        const double w30 = w29 / w1;
+        y1[i] = w30;
+        const double w32 = w2 - w30;
+        y2[i] = w32;
+        const double w34 = 4.0;
+        const double w35 = w34 * w0;
+        const double w36 = w35 * w9;
+        const double w37 = w36 * w11;
+        const double w38 = w37 * w13;
+        const double w39 = p0[i];
+        const double w40 = w38 * w39;
+        const double w41 = w24 * w24;
+        const double w42 = w40 * w41;
+        const double w43 = w0 * w27;
+        const double w44 = w43 * w11;
+        const double w45 = w1 * w1;
+        const double w46 = w44 * w45;
+        const double w47 = w42 + w46;
+        const double w48 = w0 * w27;
+        const double w49 = p3[i];
+        const double w50 = w48 * w49;
+        const double w51 = w1 * w1;
+        const double w52 = w50 * w51;
+        const double w53 = w47 + w52;
+        const double w54 = w0 * w39;
+        const double w55 = w1 * w1;
+        const double w56 = w54 * w55;
+        const double w57 = w24 * w24;
+        const double w58 = w56 * w57;
+        const double w59 = w53 - w58;
+        const double w60 = 2.0 * w9;
+        const double w61 = w60 * w27;
+        const double w62 = w61 * w11;
+        const double w63 = w62 * w13;
+        const double w64 = w63 * w39;
+        const double w65 = w24 * w24;
+        const double w66 = w64 * w65;
+        const double w67 = w59 + w66;
+        const double w68 = 8.0;
+        const double w69 = w68 * w27;
+        const double w70 = w69 * w11;
+        const double w71 = w70 * w49;
+        const double w72 = w0 * w9;
+        const double w73 = w72 * w13;
+        const double w74 = w71 * w73;
+        const double w75 = w67 - w74;
+        const double w76 = w11 * w11;
+        const double w77 = w34 * w27;
+        const double w78 = w77 * w73;
+        const double w79 = w76 * w78;
+        const double w80 = w75 - w79;
+        const double w81 = w49 * w49;
+        const double w82 = w81 * w78;
+        const double w83 = w80 - w82;
+        const double w84 = p1[i];
+        const double w85 = w84 * w39;
+        const double w86 = w85 * w1;
+        const double w87 = w24 * w24;
+        const double w88 = w86 * w87;
+        const double w89 = w83 / w88;
+        const double w90 = -w89;
+        y3[i] = w90;
+    }
+}
+
+static void toe_effects_any(int64_t n, const double **p, double **y)
+{
+    toe_effects_block(n, p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11], p[12], p[13], p[14], y[0], y[1], y[2], y[3]);
+}
+
+SHOWN void sweep_toe_effects(int64_t n, int64_t threads, const double *const *p,
+    const int64_t *stride, double *const *y)
+{
+    sweep(toe_effects_any, 15, 4, n, threads, p, stride, y);
+}
