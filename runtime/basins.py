@@ -13,9 +13,11 @@ from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError, unknown
 from .fates import FATES, ByteArray, Criterion, fates
+from .generated import PACKS, Quantity
 from .kicks import check_tire, kick
 from .listing import Pictured
-from .names import QUANTITIES, symbol
+from .models import as_model
+from .names import PARAMETERS, symbol
 from .plots import INK, style
 from .progress import Progress, counted
 from .records import Column, Record, measured
@@ -26,7 +28,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 #: What an axis may be beside a parameter -> the quantity.
-_STARTS = {"v0": "v", "r0": "r", "impulse": "S"}
+_STARTS = {
+    "v0": PACKS["nonlinear"].quantities["v"],
+    "r0": PACKS["nonlinear"].quantities["r"],
+    "impulse": PACKS["aircraft"].quantities["S"],
+}
 #: One colour for each fate, from light to dark in grey print too.
 _SHADES = ("#EEF3F7", "#B84A00", "#7FB3DA", "#F0C987", "#333333")
 _SHOWN = {"rad/s": "deg/s", "rad": "deg"}
@@ -107,12 +113,13 @@ class Basin(Pictured, Result):
 
     def _record(self) -> Record:
         axes = {self.y_name: self.y, self.x_name: self.x}
-        results = {s: measured((s,), v, _STARTS.get(s, s)) for s, v in axes.items()}
+        results = {s: measured((s,), v, _quantity(s)) for s, v in axes.items()}
         results["fate"] = Column(tuple(axes), self.fate, names=FATES)
         results["when"] = Column(tuple(axes), self.when, "s", "straightened out after")
-        about = {"x": self.x_name, "y": self.y_name, "station": self.station}
-        criterion = vars(self.criterion)
-        return Record("basin", self.aircraft, tuple(axes), results, about={**about, **criterion})
+        about: dict[str, Any] = {"x": self.x_name, "y": self.y_name, "station": self.station}
+        about |= vars(self.criterion)
+        model = as_model("nonlinear")
+        return Record("basin", self.aircraft, model, tuple(axes), results, about=about)
 
     @classmethod
     def _of(cls, record: Record) -> Basin:
@@ -225,20 +232,25 @@ def _axis(which: str, axis: tuple[str, Any]) -> tuple[str, FloatArray]:
         try:
             key = symbol(key, "parameter", parameter_symbols())
         except GroundrollError:
-            known = [QUANTITIES[s].name for s in parameter_symbols()]
+            known = [q.name for q in PARAMETERS.values()]
             raise unknown("axis", key, [*_STARTS, *known, *parameter_symbols()]) from None
-    values = finite(f"{which} ({key})", given, QUANTITIES[_STARTS.get(key, key)].unit)
+    values = finite(f"{which} ({key})", given, _quantity(key).unit)
     if values.ndim != 1 or values.size < 2 or (np.diff(values) <= 0).any():
         raise GroundrollError(f"{which} ({key}) must be a list of two or more increasing values")
     return key, values
 
 
+def _quantity(axis: str) -> Quantity:
+    """What an axis is."""
+    return _STARTS[axis] if axis in _STARTS else PARAMETERS[axis]
+
+
 def _shown(name: str, values: FloatArray) -> FloatArray:
-    unit = QUANTITIES[_STARTS.get(name, name)].unit
+    unit = _quantity(name).unit
     return values * from_si(1.0, unit, _SHOWN[unit]) if unit in _SHOWN else values
 
 
 def _label(name: str) -> str:
-    q = QUANTITIES[_STARTS.get(name, name)]
+    q = _quantity(name)
     words = {"v0": "initial ", "r0": "initial "}.get(name, "") + q.name.replace("_", " ")
     return f"{words} ${q.latex}$ ({_SHOWN.get(q.unit, q.unit)})"

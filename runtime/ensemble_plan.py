@@ -110,7 +110,7 @@ class Plan:
 
         def named(arrays: Mapping[str, FloatArray], wanted: Iterable[str], what: str) -> Named:
             each = {s: arrays[s].reshape((*self.shape, *arrays[s].shape[1:])) for s in wanted}
-            return Named(each, what)
+            return Named(each, what, self.model)
 
         left = result.cause >= 0
         for state in result.final.values():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +9,9 @@ import numpy as np
 
 from .arrays import FloatArray
 from .ensemble_result import Ensemble
-from .names import QUANTITIES
+from .generated import Quantity
+from .models import as_model
+from .names import PARAMETERS
 from .plots import COLOURS, INK, axis_label, in_shown_unit, style
 from .units import from_si
 
@@ -49,21 +50,21 @@ def plot_over(
     values = worst(ens, of, min(len(axes), 2))
     names = list(axes)[:2]
     units = units or {}
-    grid = [_shown(name, axes[name], units.get(name)) for name in names]
+    grid = [_shown(varied(ens, name)[0], axes[name], units.get(name)) for name in names]
     with style():
         ax = _axes(ax)
         limit = ens.limits.get(of)
-        mark = None if limit is None else float(in_shown_unit(of, np.asarray(limit)))
+        mark = None if limit is None else float(in_shown_unit(_of(ens, of), np.asarray(limit)))
         if len(names) == 1:
             ax.plot(grid[0], values, color=COLOURS[0])
-            ax.set_ylabel(_title(of))
+            ax.set_ylabel(_title(_of(ens, of)))
             if mark is not None:
                 ax.axhline(mark, color=INK, linewidth=0.9, linestyle="--")
             ax.set_xlim(grid[0][0], grid[0][-1])
         else:
-            _field(ax, grid[0], grid[1], values.T, mark, _title(of))
-            ax.set_ylabel(_label(names[1], units.get(names[1])))
-        ax.set_xlabel(_label(names[0], units.get(names[0])))
+            _field(ax, grid[0], grid[1], values.T, mark, _title(_of(ens, of)))
+            ax.set_ylabel(_label(*varied(ens, names[1]), units.get(names[1])))
+        ax.set_xlabel(_label(*varied(ens, names[0]), units.get(names[0])))
     return ax
 
 
@@ -79,7 +80,7 @@ def plot_spread(ens: Ensemble, of: str, ax: Axes | None = None) -> Axes:
     ax : Axes, optional
         Where; a new figure if omitted.
     """
-    values = in_shown_unit(of, ens.largest[of]).reshape(-1)
+    values = in_shown_unit(_of(ens, of), ens.largest[of]).reshape(-1)
     good = values[np.isfinite(values)]
     with style():
         ax = _axes(ax)
@@ -94,19 +95,19 @@ def plot_spread(ens: Ensemble, of: str, ax: Axes | None = None) -> Axes:
         )
         limit = ens.limits.get(of)
         if limit is not None:
-            mark = float(in_shown_unit(of, np.asarray(limit)))
+            mark = float(in_shown_unit(_of(ens, of), np.asarray(limit)))
             ax.axvline(mark, color=INK, linewidth=0.9, linestyle="--")
         if good.size:
             half, most = np.percentile(good, (50, 99))
             ax.set_title(f"half are below {half:.3g}, 99 % below {most:.3g}")
-        ax.set_xlabel(_title(of))
+        ax.set_xlabel(_title(_of(ens, of)))
         ax.set_ylabel("share of the trajectories (%)")
     return ax
 
 
 def worst(ens: Ensemble, of: str, axes: int) -> FloatArray:
     """The largest magnitude over the first axes, in the shown unit; NaN where none is known."""
-    values = in_shown_unit(of, ens.largest[of])
+    values = in_shown_unit(_of(ens, of), ens.largest[of])
     rest = tuple(range(axes, values.ndim))
     return np.asarray(np.fmax.reduce(values, axis=rest)) if rest else values
 
@@ -142,24 +143,30 @@ def _axes(ax: Axes | None) -> Axes:
     return pyplot.subplots(figsize=(5.6, 4.2))[1]
 
 
-def _title(name: str) -> str:
-    return f"largest {axis_label(name)}"
+def _title(q: Quantity) -> str:
+    return f"largest {axis_label(q)}"
 
 
-def quantity(name: str) -> str:
-    """Symbol of the quantity that varies: of an initial state, the state's."""
-    begins = re.fullmatch(r"(.+)0", name)
-    return begins[1] if name not in QUANTITIES and begins else name
+def _of(ens: Ensemble, name: str) -> Quantity:
+    model = as_model(ens.model)
+    return model.quantities[model.symbol(name, "name", tuple(ens.largest), "the extremes")]
 
 
-def _shown(name: str, values: FloatArray, unit: str | None) -> FloatArray:
-    of = quantity(name)
-    return values * from_si(1.0, QUANTITIES[of].unit, unit) if unit else in_shown_unit(of, values)
+def varied(ens: Ensemble, name: str) -> tuple[Quantity, str]:
+    """The quantity that varies, and what is to be said before its name."""
+    q = as_model(ens.model).quantities
+    if name in q:
+        return q[name], ""
+    state = name.removesuffix("0")
+    return (q[state], "initial ") if state in q else (PARAMETERS[name], "")
 
 
-def _label(name: str, unit: str | None) -> str:
-    of = quantity(name)
-    words = axis_label(of)
+def _shown(q: Quantity, values: FloatArray, unit: str | None) -> FloatArray:
+    return values * from_si(1.0, q.unit, unit) if unit else in_shown_unit(q, values)
+
+
+def _label(q: Quantity, before: str, unit: str | None) -> str:
+    words = axis_label(q)
     if unit:
-        words = f"{QUANTITIES[of].name.replace('_', ' ')} ${QUANTITIES[of].latex}$ ({unit})"
-    return words if of == name else f"initial {words}"
+        words = f"{q.name.replace('_', ' ')} ${q.latex}$ ({unit})"
+    return f"{before}{words}"

@@ -14,7 +14,6 @@ from .arrays import FloatArray
 from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
 from .motion.lanes import STATUS
-from .names import QUANTITIES, symbol
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
 
@@ -25,18 +24,20 @@ _NAMED = {
     "largest": "extremes",
     "first": "limits",
 }
-_ABOUT = ("model", "t", "tol", "limits", "within")
+_ABOUT = ("t", "tol", "limits", "within")
 
 
 class Named(Mapping[str, FloatArray]):
-    """Arrays by symbol or by full name."""
+    """Arrays of quantities of a model by symbol or by full name."""
 
-    def __init__(self, arrays: Mapping[str, FloatArray], what: str) -> None:
+    def __init__(self, arrays: Mapping[str, FloatArray], what: str, model: ModelLike) -> None:
         self._arrays = dict(arrays)
         self._what = what
+        self._model = model
 
     def __getitem__(self, name: str) -> FloatArray:
-        return self._arrays[symbol(name, "name", tuple(self._arrays), self._what)]
+        model = as_model(self._model)
+        return self._arrays[model.symbol(name, "name", tuple(self._arrays), self._what)]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._arrays)
@@ -121,22 +122,23 @@ class Ensemble(Listed, Result):
         return (self.samples if self.at.size else self.final)[name]
 
     def _record(self) -> Record:
-        runs = run_dims(self.status.shape)
+        runs, model = run_dims(self.status.shape), as_model(self.model)
+        q = model.quantities
         final = "final_" if self.at.size else ""
         results = {
             "status": Column(runs, self.status, names=STATUS),
             "steps": Column(runs, self.steps),
             "estimate": Column(runs, self.estimate),
-            **{f"{final}{s}": measured(runs, v, s) for s, v in self.final.items()},
-            **{f"largest_{s}": measured(runs, v, s) for s, v in self.largest.items()},
+            **{f"{final}{s}": measured(runs, v, q[s]) for s, v in self.final.items()},
+            **{f"largest_{s}": measured(runs, v, q[s]) for s, v in self.largest.items()},
             **{f"first_{s}": Column(runs, v, "s", f"passed {s}") for s, v in self.first.items()},
         }
         if self.at.size:
             results["t"] = time_axis(self.at)
-        results |= {s: measured((*runs, "t"), v, s) for s, v in self.samples.items()}
+        results |= {s: measured((*runs, "t"), v, q[s]) for s, v in self.samples.items()}
         given = {**{f"{s}0": v for s, v in self.start.items()}, **self.inputs}
         about = {name: getattr(self, name) for name in _ABOUT}
-        return Record("ensemble", self.aircraft, runs, results, given=given, about=about)
+        return Record("ensemble", self.aircraft, model, runs, results, given=given, about=about)
 
     @classmethod
     def _of(cls, record: Record) -> Ensemble:
@@ -149,10 +151,12 @@ class Ensemble(Listed, Result):
             if kind not in _NAMED:
                 kind, s = ("samples" if "t" in column.dims else "final"), name
             found[kind][s] = column.values
-        named: dict[str, Any] = {s: Named(found[s], words) for s, words in _NAMED.items()}
-        inputs = as_model(record.about["model"]).inputs
+        key = record.model.key
+        named: dict[str, Any] = {s: Named(found[s], words, key) for s, words in _NAMED.items()}
+        inputs = record.model.inputs
         return cls(
             aircraft=record.aircraft,
+            model=key,
             start={s[:-1]: v for s, v in record.given.items() if s not in inputs},
             inputs={s: record.given[s] for s in inputs},
             status=plain["status"].astype(np.int8),
@@ -166,19 +170,21 @@ class Ensemble(Listed, Result):
     def _title(self) -> str:
         counts = ", ".join(f"{n} {name}" for name, n in self.counts.items())
         shape = " x ".join(map(str, self.status.shape)) or "1"
+        whose = f"{self.aircraft.name!r}, {as_model(self.model).name} model"
         return (
-            f"Ensemble of {self.aircraft.name!r}, {self.model} model: {shape} trajectories of"
-            f" {self.t:g} s, tol {self.tol:g}: {counts}"
+            f"Ensemble of {whose}: {shape} trajectories of {self.t:g} s, tol {self.tol:g}: {counts}"
         )
 
     def _rows(self) -> Iterable[Sequence[str]]:
         samples = f"at {self.at.size} times"
+        q = as_model(self.model).quantities
         parts = (("at the end", self.final), (samples, self.samples), ("largest", self.largest))
         for words, arrays in parts:
             for s, values in arrays.items():
-                yield words, s, QUANTITIES[s].name, span(values), unit_of(s)
+                yield words, s, q[s].name, span(values), unit_of(q[s])
 
     def _notes(self) -> Iterable[str]:
         for s, limit in self.limits.items():
             share = np.isfinite(self.first[s]).mean()
-            yield f"{100 * share:.3g} % reach |{s}| = {limit:g} {unit_of(s)}".rstrip()
+            unit = unit_of(as_model(self.model).quantities[s])
+            yield f"{100 * share:.3g} % reach |{s}| = {limit:g} {unit}".rstrip()

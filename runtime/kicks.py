@@ -20,8 +20,9 @@ from .arrays import FloatArray, broadcast, finite
 from .errors import GroundrollError
 from .evaluate import elementwise
 from .fates import FATES, OUT, ByteArray, Criterion, fates
-from .generated import build
+from .generated import PACKS, build
 from .listing import Listed, span
+from .models import as_model
 from .progress import Count, Progress, counted
 from .records import Column, Record, measured, run_dims
 from .results import Result
@@ -37,14 +38,17 @@ _LARGE_SLIP = math.radians(85)
 
 #: Cases that are listed one by one.
 _LISTED = 12
-#: Of each result the quantity that it is.
-_QUANTITIES = {
+_KICK = {
     "station": "x_S",
     "impulse": "S",
     "velocity_change": "dv",
     "yaw_rate_change": "dr",
     "island": "S",
-    "decay_rate": "decay_rate",
+}
+#: Of each result the quantity that it is.
+_QUANTITIES = {
+    **{name: PACKS["aircraft"].quantities[symbol] for name, symbol in _KICK.items()},
+    "decay_rate": PACKS["linear"].quantities["decay_rate"],
 }
 
 
@@ -88,9 +92,10 @@ class Survival(Listed, Result):
 
     def _record(self) -> Record:
         runs = run_dims(self.impulse.shape)
-        results = {name: measured(runs, getattr(self, name), s) for name, s in _QUANTITIES.items()}
+        results = {name: measured(runs, getattr(self, name), q) for name, q in _QUANTITIES.items()}
         results["fate"] = Column(runs, self.fate, names=FATES)
-        return Record("survival", self.aircraft, runs, results, about=vars(self.criterion))
+        about = vars(self.criterion)
+        return Record("survival", self.aircraft, as_model("nonlinear"), runs, results, about=about)
 
     @classmethod
     def _of(cls, record: Record) -> Survival:

@@ -17,6 +17,7 @@ from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
 from .records import Column, Record, measured, run_dims
 from .results import Result
+from .stability import quantity_of
 
 if TYPE_CHECKING:
     import control
@@ -163,14 +164,16 @@ class Linearization(Listed, Result):
         results = {
             name: Column((*runs, *axes), getattr(self, name)) for name, axes in _AXES.items()
         }
-        results |= {name: measured(runs, getattr(self, name), name) for name in READ_OFF}
+        results |= {
+            name: measured(runs, getattr(self, name), quantity_of(name)) for name in READ_OFF
+        }
         labels = {"state": self.states, "state_rate": self.states}
         labels |= {"input": self.inputs, "output": self.outputs}
         results |= {axis: Column((axis,), np.array(names)) for axis, names in labels.items()}
         given = {"v": self.at.v, "r": self.at.r, "F_disturbance": self.at.disturbance}
         given = {s: np.asarray(value, np.float64) for s, value in given.items()}
-        about = {"model": self.model}
-        return Record("linearization", self.aircraft, runs, results, given=given, about=about)
+        model = as_model(self.model)
+        return Record("linearization", self.aircraft, model, runs, results, given=given)
 
     @classmethod
     def _of(cls, record: Record) -> Linearization:
@@ -178,11 +181,12 @@ class Linearization(Listed, Result):
         parts: dict[str, Any] = {name: record[name] for name in (*_AXES, *READ_OFF)}
         for axis in ("state", "input", "output"):
             parts[f"{axis}s"] = tuple(record[axis].tolist())
-        model = record.about["model"]
+        model = record.model.key
         return cls(**parts, at=OperatingPoint(*at), aircraft=record.aircraft, model=model)
 
     def _title(self) -> str:
-        head = f"Linearization of {self.aircraft.name!r}, {self.model} model, at {self.at}"
+        whose = f"{self.aircraft.name!r}, {as_model(self.model).name} model"
+        head = f"Linearization of {whose}, at {self.at}"
         if self.decay_rate.ndim:
             stable = np.count_nonzero(self.decay_rate > 0)
             return f"{head}: {self.decay_rate.shape} points, {stable} of them stable"
@@ -192,7 +196,7 @@ class Linearization(Listed, Result):
         if not self.decay_rate.ndim:
             yield "eigenvalues", ", ".join(f"{root:.5g}" for root in self.eigenvalues), "1/s"
         for name in READ_OFF:
-            yield name, span(getattr(self, name)), unit_of(name)
+            yield name, span(getattr(self, name)), unit_of(quantity_of(name))
 
 
 def linearize(

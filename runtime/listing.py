@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from .names import QUANTITIES
+from .generated import Quantity
 from .wording import number
 
 
@@ -36,11 +36,11 @@ class Listed:
 
 
 class Numbers(Listed):
-    """Attributes of which each is a number, or an array of them, of a quantity by symbol."""
+    """Attributes of which each is a number, or an array of them, of a quantity."""
 
-    _of: ClassVar[Mapping[str, str]]
+    _of: ClassVar[Mapping[str, Quantity]]
 
-    def __init_subclass__(cls, of: Mapping[str, str]) -> None:
+    def __init_subclass__(cls, of: Mapping[str, Quantity]) -> None:
         cls._of = of
 
     def _title(self) -> str:
@@ -49,8 +49,8 @@ class Numbers(Listed):
         return f"{type(self).__name__}{points}"
 
     def _rows(self) -> Iterable[Sequence[str]]:
-        for name, symbol in self._of.items():
-            yield name, span(getattr(self, name)), unit_of(symbol)
+        for name, q in self._of.items():
+            yield name, span(getattr(self, name)), unit_of(q)
 
 
 class Pictured:
@@ -79,7 +79,6 @@ def span(values: Any) -> str:
     return f"{' to '.join(ends)}{some}"
 
 
-def unit_of(symbol: str) -> str:
+def unit_of(q: Quantity) -> str:
     """Unit of a quantity; a pure number has none."""
-    unit = QUANTITIES[symbol].unit
-    return "" if unit == "1" else unit
+    return "" if q.unit == "1" else q.unit

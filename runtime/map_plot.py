@@ -14,8 +14,10 @@ from matplotlib.patheffects import withStroke
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError
-from .names import QUANTITIES, symbol
+from .generated import Quantity
+from .names import PARAMETERS, symbol
 from .plots import COLOURS, INK, MUTED, style
+from .stability import quantity_of
 from .units import from_si
 
 if TYPE_CHECKING:
@@ -89,15 +91,15 @@ class _Units:
 
     def of(self, name: str, values: FloatArray) -> FloatArray:
         """Values of a parameter in its shown unit."""
-        return values * self.factor(name, QUANTITIES[name].unit)
+        return values * self.factor(name, PARAMETERS[name].unit)
 
     def factor(self, name: str, unit: str) -> float:
         """From the SI unit to the shown one."""
         return from_si(1.0, unit, self._units[name]) if name in self._units else 1.0
 
-    def label(self, name: str, quantity: str | None = None) -> str:
+    def label(self, name: str, quantity: Quantity | None = None) -> str:
         """Name, symbol and shown unit."""
-        q = QUANTITIES[quantity or name]
+        q = quantity or PARAMETERS[name]
         words = (name if quantity else q.name).replace("_", " ")
         unit = self._units.get(name, q.unit).replace("^2", "²")
         return f"{words} ${q.latex}$" + ("" if unit == "1" else f" ({unit})")
@@ -107,8 +109,6 @@ def _fill(
     ax: Axes, chart: StabilityMap, x: FloatArray, y: FloatArray, shown: _Units, levels: Any
 ) -> None:
     """Filled contours with labelled lines and a colour bar."""
-    from .maps import quantity_of
-
     values = chart.values * shown.factor(chart.of, chart.unit)
     finite_values = np.ma.masked_invalid(values)
     chosen = _levels(finite_values) if levels is None else finite("levels", levels)
@@ -176,7 +176,7 @@ def _hatch(
         hatch, colour = hatches[key]
         span = ax.axvspan if key == chart.x_name else ax.axhspan
         span(low, high, hatch=hatch, edgecolor=colour, **look)
-        label = f"range of {QUANTITIES[key].name.replace('_', ' ')}"
+        label = f"range of {PARAMETERS[key].name.replace('_', ' ')}"
         handles.append(Patch(hatch=hatch, edgecolor=colour, label=label, **look))
     return handles
 

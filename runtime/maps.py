@@ -14,10 +14,11 @@ from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError, one_of, unknown
 from .listing import Pictured
-from .names import MODELS, QUANTITIES, symbol
+from .models import as_model
+from .names import PARAMETERS, symbol
 from .records import Column, Record, measured
 from .results import Result
-from .stability import CLOSED_FORMS, OVER_SPEED, closed_forms
+from .stability import CLOSED_FORMS, OVER_SPEED, closed_forms, quantity_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,7 +53,7 @@ class StabilityMap(Pictured, Result):
     @property
     def unit(self) -> str:
         """Unit of the values."""
-        return QUANTITIES[quantity_of(self.of)].unit
+        return quantity_of(self.of).unit
 
     @cached_property
     def boundary(self) -> dict[str, FloatArray]:
@@ -76,7 +77,7 @@ class StabilityMap(Pictured, Result):
         """Whether an aircraft is a point of this map: all else is the same."""
         return all(
             bool(np.allclose(plane[s], self.aircraft[s], rtol=1e-9, atol=0.0))
-            for s in MODELS["linear"].parameters
+            for s in as_model("linear").parameters
             if self.aircraft[s].ndim == 0
         )
 
@@ -163,7 +164,8 @@ class StabilityMap(Pictured, Result):
         results = {self.of: measured(axes, self.values, quantity_of(self.of))}
         results["stable"] = Column(axes, self.stable)
         about = {"x": self.x_name, "y": self.y_name, "of": self.of}
-        return Record("map", self.aircraft, axes, results, about=about)
+        model = as_model("linear")
+        return Record("map", self.aircraft, model, axes, results, about=about)
 
     @classmethod
     def _of(cls, record: Record) -> StabilityMap:
@@ -178,11 +180,6 @@ class StabilityMap(Pictured, Result):
             f" {self.x_name} {self.x[0]:g} to {self.x[-1]:g} x {self.y_name} {self.y[0]:g} to"
             f" {self.y[-1]:g}, {self.values.size} points, {100 * share:.0f} % of them stable"
         )
-
-
-def quantity_of(of: str) -> str:
-    """Symbol of the quantity that a margin is."""
-    return (CLOSED_FORMS | OVER_SPEED)[of][1]
 
 
 def stability_map(
@@ -250,7 +247,7 @@ def _axis(which: str, axis: tuple[str, Any]) -> tuple[str, FloatArray]:
     except (TypeError, ValueError):
         raise GroundrollError(f"{which} must be a pair (name, values), not {axis!r}") from None
     key = symbol(str(name), "parameter", parameter_symbols(), f"{which} of the map")
-    values = finite(f"{which} ({key})", given, QUANTITIES[key].unit)
+    values = finite(f"{which} ({key})", given, PARAMETERS[key].unit)
     if values.ndim != 1 or values.size < 2 or (np.diff(values) <= 0).any():
         raise GroundrollError(f"{which} ({key}) must be a list of two or more increasing values")
     return key, values
@@ -260,8 +257,8 @@ def _check_influence(grid: Aircraft, of: str, values: FloatArray, sizes: Mapping
     """Refuse a map that is the same along an axis because nothing depends on its parameter."""
     for (name, size), found in zip(sizes.items(), values.shape or (1, 1), strict=True):
         if size != found:
-            given = ", ".join(s for s in MODELS["linear"].parameters if s in grid.given)
+            given = ", ".join(s for s in as_model("linear").parameters if s in grid.given)
             raise GroundrollError(
-                f"{of} of {grid.name} does not depend on {QUANTITIES[name].name} ({name}): the"
+                f"{of} of {grid.name} does not depend on {PARAMETERS[name].name} ({name}): the"
                 f" parameters {given} are given; replace(...=None) lets one follow from others"
             )

@@ -12,8 +12,7 @@ import numpy as np
 from .arrays import FloatArray
 from .curve import Curve
 from .listing import Listed, span
-from .models import as_model
-from .names import QUANTITIES, symbol
+from .models import ModelLike, as_model
 from .settling import responses
 
 if TYPE_CHECKING:
@@ -42,6 +41,8 @@ class Metrics(Listed):
     ----------
     of : str or tuple of str
         Which state, by symbol.
+    model : str or Model
+        Whose it is.
     displacement : ndarray
         Steady y, m, in aircraft coordinates.
     rotation : ndarray
@@ -67,6 +68,7 @@ class Metrics(Listed):
     """
 
     of: str | tuple[str, ...]
+    model: ModelLike
     displacement: FloatArray
     rotation: FloatArray
     steady: FloatArray
@@ -94,11 +96,13 @@ class Metrics(Listed):
 
     def _title(self) -> str:
         states = [self.of] if isinstance(self.of, str) else self.of
-        return f"Metrics of {', '.join(f'{s} ({QUANTITIES[s].name})' for s in states)}"
+        q = as_model(self.model).quantities
+        return f"Metrics of {', '.join(f'{s} ({q[s].name})' for s in states)}"
 
     def _rows(self) -> Iterable[Sequence[str]]:
+        q = as_model(self.model).quantities
         for name, unit in self.units.items():
-            own = unit or (QUANTITIES[self.of].unit if isinstance(self.of, str) else "")
+            own = unit or (q[self.of].unit if isinstance(self.of, str) else "")
             yield name, span(getattr(self, name)), "" if own == "1" else own
 
 
@@ -122,9 +126,10 @@ def metrics(run: Trajectory, of: str | Sequence[str] = "y") -> Metrics:
     GroundrollError
         If there is no such state, or it is not known when the gust of the run ends.
     """
-    states, shape = as_model(run.model).states, run["v"].shape[:-1]
+    model = as_model(run.model)
+    shape = next(iter(run.values.values())).shape[:-1]
     names = [of] if isinstance(of, str) else list(of)
-    wanted = tuple(symbol(name, "state", states, "metrics") for name in names)
+    wanted = tuple(model.symbol(name, "state", model.states, "metrics") for name in names)
     found = responses(run)
     at_rest = [
         [np.nan if each is None else _steady(each.curves[s]) for each in found]
@@ -138,6 +143,7 @@ def metrics(run: Trajectory, of: str | Sequence[str] = "y") -> Metrics:
     one = isinstance(of, str)
     return Metrics(
         wanted[0] if one else wanted,
+        run.model,
         *np.reshape(at_rest, (2, *shape)),
         *(by_word[:, 0] if one else by_word),
     )

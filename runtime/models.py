@@ -50,8 +50,11 @@ class Model(Pack):
 
     @property
     def key(self) -> str:
-        """By what `load` finds it again: its name if it ships, otherwise its folder."""
-        return self.name if self.name in PACKS else str(self.folder)
+        """By what `load` finds it again: its name if it ships or is announced, or its folder."""
+        if PACKS.get(self.name) == self:
+            return self.name
+        announced = (name for name, folder in _announced().items() if folder == self.folder)
+        return next(announced, str(self.folder))
 
     def function(self, name: str) -> ca.Function:
         """One of its own functions (``"rhs"``, ``"outputs"``, ``"jacobians"``, ...), compiled."""
@@ -135,6 +138,7 @@ def _found(name: str) -> Pack:
     raise unknown("model", name, [*there, *announced])
 
 
+@cache
 def _announced() -> dict[str, Path]:
     """The packs of installed packages."""
     from importlib.metadata import entry_points

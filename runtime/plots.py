@@ -11,7 +11,8 @@ import numpy as np
 from cycler import cycler
 
 from .errors import GroundrollError
-from .names import QUANTITIES, symbol
+from .generated import Quantity
+from .models import as_model
 from .units import from_si
 
 if TYPE_CHECKING:
@@ -72,15 +73,14 @@ def style() -> AbstractContextManager[None]:
     return mpl.rc_context(_STYLE)
 
 
-def in_shown_unit(name: str, values: FloatArray) -> FloatArray:
+def in_shown_unit(q: Quantity, values: FloatArray) -> FloatArray:
     """Values of a quantity in the unit that people read."""
-    unit = QUANTITIES[name].unit
+    unit = q.unit
     return values * from_si(1.0, unit, SHOWN_UNITS[unit]) if unit in SHOWN_UNITS else values
 
 
-def axis_label(name: str) -> str:
+def axis_label(q: Quantity) -> str:
     """Name, symbol and shown unit of a quantity."""
-    q = QUANTITIES[name]
     unit = SHOWN_UNITS.get(q.unit, q.unit).replace("^2", "²")
     words = q.name.replace("_", " ")
     return f"{words} ${q.latex}$" + (f" ({unit})" if unit != "1" else "")
@@ -113,7 +113,8 @@ def time_history(
         For an unknown name, no name, or another number of axes than of names.
     """
     wanted = [names] if isinstance(names, str) else list(names)
-    symbols = [symbol(n, "state or output", tuple(run.values), "this run") for n in wanted]
+    model = as_model(run.model)
+    symbols = [model.symbol(n, "state or output", tuple(run.values), "this run") for n in wanted]
     if not symbols:
         raise GroundrollError("nothing to plot: names is empty")
     with style():
@@ -121,7 +122,7 @@ def time_history(
         for axis, name in zip(axes, symbols, strict=True):
             _draw_over_time(axis, run, name)
         axes[-1].set_xlabel("time (s)")
-        if 1 < run["v"].reshape(-1, run.t.size).shape[0] <= _MOST_LABELS:
+        if 1 < run[symbols[0]].reshape(-1, run.t.size).shape[0] <= _MOST_LABELS:
             axes[0].legend()
     return tuple(axes)
 
@@ -139,7 +140,8 @@ def _axes(ax: Axes | Sequence[Axes] | None, count: int) -> list[Axes]:
 
 
 def _draw_over_time(axis: Axes, run: Trajectory, name: str) -> None:
-    values = in_shown_unit(name, run[name])
+    q = as_model(run.model).quantities[name]
+    values = in_shown_unit(q, run[name])
     lines = values.reshape(-1, run.t.size)
     for k, line in enumerate(lines):
         index = ", ".join(map(str, np.unravel_index(k, values.shape[:-1])))
@@ -151,4 +153,4 @@ def _draw_over_time(axis: Axes, run: Trajectory, name: str) -> None:
             label=f"run {index}",
         )
     axis.set_xlim(run.t[0], run.t[-1])
-    axis.set_ylabel(axis_label(name))
+    axis.set_ylabel(axis_label(q))

@@ -10,10 +10,10 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from zipfile import BadZipFile
 
 import numpy as np
@@ -23,10 +23,12 @@ from .aircraft import Aircraft, Source
 from .arrays import FloatArray
 from .errors import GroundrollError
 from .files import complete
-from .names import DIGEST, QUANTITIES
+from .generated import Quantity
+from .models import Model, ModelLike, as_model
+from .names import PARAMETERS
 
 #: Raised when the layout changes.
-_LAYOUT = 2
+_LAYOUT = 3
 _PACKAGES = ("groundroll", "casadi", "numpy")
 
 
@@ -59,9 +61,8 @@ class Column:
         return dict(zip(self.dims, self.values.shape, strict=True))
 
 
-def measured(dims: tuple[str, ...], values: npt.NDArray[Any], symbol: str) -> Column:
-    """An array of a quantity of the model."""
-    q = QUANTITIES[symbol]
+def measured(dims: tuple[str, ...], values: npt.NDArray[Any], q: Quantity) -> Column:
+    """An array of a quantity."""
     return Column(dims, values, q.unit, q.name.replace("_", " "), q.meaning)
 
 
@@ -75,11 +76,20 @@ def run_dims(shape: tuple[int, ...]) -> tuple[str, ...]:
     return ("run",) if len(shape) == 1 else tuple(f"run_{k}" for k in range(len(shape)))
 
 
-def provenance() -> dict[str, str]:
-    """What results of this process come from: digest of the equations, versions of packages."""
+def provenance(model: Model) -> dict[str, str]:
+    """What results of a model come from: its equations, by digest, and versions of packages."""
     from importlib.metadata import version  # takes as long to import as all the rest
 
-    return {"equations": DIGEST, **{name: version(name) for name in _PACKAGES}}
+    made_with = {name: version(name) for name in _PACKAGES}
+    return {"model": model.key, "equations": model.digest, **made_with}
+
+
+class Input(NamedTuple):
+    """Something that went in: where it was given (``"given"``, ``"own"``, ``"aircraft"``)."""
+
+    place: str
+    name: str
+    column: Column
 
 
 @dataclass(frozen=True)
@@ -92,6 +102,8 @@ class Record:
         What it is, e.g. ``"trajectory"``.
     aircraft : Aircraft
         The aircraft it belongs to, with the source of each number.
+    model : Model
+        Whose equations it comes from; its quantities say what the arrays are.
     runs : tuple of str
         Dimensions along which aircraft and what is `given` may vary.
     results : mapping of str to Column
@@ -99,42 +111,69 @@ class Record:
     per : tuple of str
         Further dimensions of which a table has a row for each point.
     given : mapping of str to ndarray
-        What went in beside the aircraft, by symbol or by symbol and zero (``v0``); broadcasts
-        along `runs`.
+        What went in beside the aircraft, by symbol of the model or by symbol and zero (``v0``);
+        broadcasts along `runs`.
     about : mapping
         Its other attributes, anything that JSON can hold.
-    provenance : mapping of str to str
-        ``"equations"``, the digest of the derivation, and the version of each package.
+    made_with : mapping of str to str
+        What it was computed with if that was in another process: see `provenance`.
     """
 
     kind: str
     aircraft: Aircraft
+    model: Model
     runs: tuple[str, ...]
     results: Mapping[str, Column]
     per: tuple[str, ...] = ()
     given: Mapping[str, FloatArray] = field(default_factory=dict)
     about: Mapping[str, Any] = field(default_factory=dict)
-    provenance: Mapping[str, str] = field(default_factory=provenance)
+    made_with: Mapping[str, str] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         return self.results[name].values
 
     @property
-    def inputs(self) -> dict[str, FloatArray]:
-        """All that went in, by name."""
-        return {**self.aircraft.given, **self.given}
+    def provenance(self) -> Mapping[str, str]:
+        """``"model"`` and ``"equations"``, its digest, and the version of each package."""
+        return self.made_with or provenance(self.model)
+
+    @cached_property
+    def inputs(self) -> dict[str, Input]:
+        """All that went in, by a name that nothing else in the record has."""
+        own = {s: v for s, v in self.aircraft.own.items() if not isinstance(v, str)}
+        places: dict[str, Mapping[str, Any]] = {
+            "given": self.given,
+            "own": own,
+            "aircraft": self.aircraft.given,
+        }
+        found: dict[str, Input] = {}
+        for place, values in places.items():
+            for name, value in values.items():
+                is_free = name not in found and name not in self.results
+                key = name if is_free else f"{place}_{name}"
+                found[key] = Input(place, name, self._column(place, name, np.asarray(value, float)))
+        return found
+
+    def _column(self, place: str, name: str, value: FloatArray) -> Column:
+        own = self.runs[len(self.runs) - value.ndim :]
+        q = _quantity(PARAMETERS if place == "aircraft" else self.model.quantities, name)
+        return Column(own, value) if q is None else measured(own, value, q)
 
     @cached_property
     def varied(self) -> dict[str, Column]:
         """What varies of it, each along the dimensions in which it does."""
         found = {}
-        for name, value in self.inputs.items():
-            own = self.runs[len(self.runs) - value.ndim :]
-            along = tuple(d for d, n in zip(own, value.shape, strict=True) if n > 1)
+        for key, (_, _, column) in self.inputs.items():
+            along = tuple(d for d, n in column.sizes.items() if n > 1)
             if along:
-                symbol = name if name in QUANTITIES else name.removesuffix("0")
-                found[name] = measured(along, np.squeeze(value), symbol)
+                found[key] = replace(column, dims=along, values=np.squeeze(column.values))
         return found
+
+
+def _quantity(quantities: Mapping[str, Quantity], name: str) -> Quantity | None:
+    """What a name stands for: a symbol, a symbol and a zero, or a full name."""
+    key = name if name in quantities else name.removesuffix("0")
+    return quantities.get(key) or next((q for q in quantities.values() if q.name == name), None)
 
 
 def write(record: Record, path: str | Path) -> Path:
@@ -159,40 +198,64 @@ def write(record: Record, path: str | Path) -> Path:
     return target
 
 
-def read(path: str | Path, *, other_equations: bool = False) -> Record:
+def read(
+    path: str | Path, *, model: ModelLike | None = None, other_equations: bool = False
+) -> Record:
     """Read a record and check that it is whole.
 
     Parameters
     ----------
     path : str or Path
         The file.
+    model : str, Path or Model, optional
+        Whose result it is; found by the name or the folder that is in the file if omitted.
     other_equations : bool
-        Whether to accept results of other equations than those that are installed.
+        Whether to accept results of other equations than those of the model as it is now.
 
     Raises
     ------
     GroundrollError
-        If the file cannot be read, is damaged or no record, or comes from other equations.
+        If the file cannot be read, is damaged or no record, its model is not found, or the
+        equations of that are others.
     """
+    about, arrays = _fetched(path)
+    made_with = about["provenance"]
+    try:
+        found = as_model(made_with["model"] if model is None else model)
+    except GroundrollError as problem:
+        if model is not None:
+            raise
+        raise GroundrollError(
+            f"{path} is a result of the model {made_with['model']}, which is not found ({problem});"
+            " say where it is: load(path, model=...)"
+        ) from None
+    if made_with["equations"] != found.digest and not other_equations:
+        raise GroundrollError(
+            f"{path} was computed from other equations (digest {made_with['equations']}, groundroll"
+            f" {made_with['groundroll']}) than those of the model {found.name} ({found.digest});"
+            " compute it again, or accept it with other_equations=True"
+        )
+    return _put_together(about, arrays, found)
+
+
+def about(path: str | Path) -> Mapping[str, Any]:
+    """All but the arrays of a record; errors as for `read`, but for those of its model."""
+    return _fetched(path)[0]
+
+
+def _fetched(path: str | Path) -> tuple[dict[str, Any], dict[str, npt.NDArray[Any]]]:
     _, fetch = _format(Path(path))
     if not Path(path).is_file():
         raise GroundrollError(f"cannot read {path}: there is no such file")
     try:
         text, arrays = fetch(Path(path))
-        about = json.loads(text)
-        layout = about["layout"]
+        found = json.loads(text)
+        layout = found["layout"]
     except (OSError, ValueError, LookupError, AttributeError, BadZipFile, zlib.error) as problem:
         raise GroundrollError(f"{path} is no record of groundroll, or is damaged") from problem
     if layout != _LAYOUT:
         raise GroundrollError(f"{path} has the layout {layout}; this reads the layout {_LAYOUT}")
-    equations = about["provenance"]["equations"]
-    if equations != DIGEST and not other_equations:
-        raise GroundrollError(
-            f"{path} was computed from other equations (digest {equations}, groundroll"
-            f" {about['provenance']['groundroll']}) than those installed ({DIGEST}); compute it"
-            " again, or accept it with other_equations=True"
-        )
-    return _put_together(about, arrays)
+    return found, arrays
 
 
 def _format(path: Path) -> Any:
@@ -208,17 +271,20 @@ def _format(path: Path) -> Any:
 
 def _text(record: Record) -> str:
     """All but the arrays, as JSON."""
-    plane, inputs = record.aircraft, record.inputs
+    plane = record.aircraft
     words = {f.name: getattr(plane, f.name) for f in fields(plane)}
+    inputs: dict[str, dict[str, Any]] = {"given": {}, "own": {}, "aircraft": {}}
+    for key, (place, name, column) in record.inputs.items():
+        varies = {"varies": key, "shape": column.values.shape}
+        inputs[place][name] = varies if key in record.varied else column.values.tolist()
+    inputs["own"] |= {s: value for s, value in plane.own.items() if isinstance(value, str)}
     about = {
         "layout": _LAYOUT,
         "kind": record.kind,
         "runs": record.runs,
         "per": record.per,
         "results": {name: column.dims for name, column in record.results.items()},
-        "varied": {name: inputs[name].shape for name in record.varied},
-        "fixed": {s: value.tolist() for s, value in inputs.items() if s not in record.varied},
-        "given": list(record.given),
+        "inputs": inputs,
         "about": dict(record.about),
         "aircraft": {key: value for key, value in words.items() if isinstance(value, str)},
         "sources": {s: asdict(source) for s, source in plane.sources.items()},
@@ -227,20 +293,33 @@ def _text(record: Record) -> str:
     return json.dumps(about, indent=1)
 
 
-def _put_together(about: Mapping[str, Any], arrays: Mapping[str, npt.NDArray[Any]]) -> Record:
-    inputs = {s: np.asarray(value, np.float64) for s, value in about["fixed"].items()}
-    inputs |= {s: arrays[s].reshape(shape) for s, shape in about["varied"].items()}
-    given = {s: inputs.pop(s) for s in about["given"]}
+def _put_together(
+    about: Mapping[str, Any], arrays: Mapping[str, npt.NDArray[Any]], model: Model
+) -> Record:
+    def restored(value: Any) -> Any:
+        if isinstance(value, str):
+            return value
+        if isinstance(value, dict):
+            return arrays[value["varies"]].reshape(value["shape"])
+        return np.asarray(value, np.float64)
+
+    inputs = {
+        place: {name: restored(value) for name, value in values.items()}
+        for place, values in about["inputs"].items()
+    }
     sources = {s: Source(**source) for s, source in about["sources"].items()}
     return Record(
         kind=about["kind"],
-        aircraft=Aircraft(given=inputs, sources=sources, **about["aircraft"]),
+        aircraft=Aircraft(
+            given=inputs["aircraft"], own=inputs["own"], sources=sources, **about["aircraft"]
+        ),
+        model=model,
         runs=tuple(about["runs"]),
         results={s: Column(tuple(dims), arrays[s]) for s, dims in about["results"].items()},
         per=tuple(about["per"]),
-        given=given,
+        given=inputs["given"],
         about=about["about"],
-        provenance=about["provenance"],
+        made_with=about["provenance"],
     )
 
 

@@ -12,10 +12,11 @@ import numpy as np
 from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray, finite, positive, whole
 from .errors import GroundrollError
+from .generated import Quantity
 from .linearization import ComplexArray, Linearization, OperatingPoint, linearize
 from .listing import Pictured, span, unit_of
-from .models import ModelLike
-from .names import QUANTITIES, symbol
+from .models import ModelLike, as_model
+from .names import PARAMETERS, symbol
 from .wording import number
 
 if TYPE_CHECKING:
@@ -37,12 +38,17 @@ class FrequencyResponse(Pictured):
         Output over input, SI units with radians.
     output, input : str
         Symbols.
+    aircraft : Aircraft
+    model : str or Model
+        Whose response it is.
     """
 
     frequency: FloatArray
     response: ComplexArray
     output: str
     input: str
+    aircraft: Aircraft
+    model: ModelLike
 
     @property
     def magnitude(self) -> FloatArray:
@@ -63,16 +69,21 @@ class FrequencyResponse(Pictured):
         return bode(self, ax, decibels)
 
     def __repr__(self) -> str:
+        q = as_model(self.model).quantities
+        out, by = q[self.output], q[self.input]
         return (
-            f"FrequencyResponse of {_named(self.output)} to {_named(self.input)}:"
+            f"FrequencyResponse of {_named(out)} to {_named(by)} of {_whose(self)}:"
             f" {span(self.frequency)} rad/s, {_many(self.response)}"
-            f"\n  largest magnitude {number(self.magnitude.max())}"
-            f" {QUANTITIES[self.output].unit} per {QUANTITIES[self.input].unit}"
+            f"\n  largest magnitude {number(self.magnitude.max())} {out.unit} per {by.unit}"
         )
 
 
-def _named(symbol: str) -> str:
-    return f"{QUANTITIES[symbol].name} ({symbol})"
+def _named(q: Quantity) -> str:
+    return f"{q.name} ({q.symbol})"
+
+
+def _whose(found: FrequencyResponse | StepResponse | RootLocus) -> str:
+    return f"{found.aircraft.name!r}, {as_model(found.model).name} model"
 
 
 def _many(values: FloatArray | ComplexArray) -> str:
@@ -130,15 +141,17 @@ def frequency_response(
             f"the response at {where:g} rad/s is infinite: i times it is an eigenvalue of A{why}"
         )
     numerator = np.einsum("...i,...nij,...j->...n", C, adjugate, B)
-    return FrequencyResponse(omega, numerator / polynomial + D[..., None], *names)
+    values = numerator / polynomial + D[..., None]
+    return FrequencyResponse(omega, values, *names, lin.aircraft, lin.model)
 
 
 def _channel(
     lin: Linearization, output: str, input: str
 ) -> tuple[FloatArray, FloatArray, FloatArray, tuple[str, str]]:
     """Column of B, row of C and entry of D between an input and an output or state."""
-    out = symbol(output, "output", (*lin.outputs, *lin.states), "this model")
-    by = symbol(input, "input", lin.inputs, "this model")
+    model = as_model(lin.model)
+    out = model.symbol(output, "output", (*lin.outputs, *lin.states), "this model")
+    by = model.symbol(input, "input", lin.inputs, "this model")
     column = lin.inputs.index(by)
     B = lin.B[..., column]
     if out in lin.states:
@@ -171,6 +184,9 @@ class StepResponse(Pictured):
         Symbols.
     size : float
         Height of the step, SI.
+    aircraft : Aircraft
+    model : str or Model
+        Whose response it is.
     """
 
     t: FloatArray
@@ -178,6 +194,8 @@ class StepResponse(Pictured):
     output: str
     input: str
     size: float
+    aircraft: Aircraft
+    model: ModelLike
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Plot the output over time."""
@@ -186,12 +204,13 @@ class StepResponse(Pictured):
         return step(self, ax)
 
     def __repr__(self) -> str:
-        unit = QUANTITIES[self.input].unit
+        q = as_model(self.model).quantities
+        out, by = q[self.output], q[self.input]
         return (
-            f"StepResponse of {_named(self.output)} to {self.size:g} {unit} of"
-            f" {_named(self.input)}: 0 to {self.t[-1]:g} s, {_many(self.values)}"
+            f"StepResponse of {_named(out)} to {self.size:g} {by.unit} of {_named(by)} of"
+            f" {_whose(self)}: 0 to {self.t[-1]:g} s, {_many(self.values)}"
             f"\n  largest {number(np.abs(self.values).max())}, at the end"
-            f" {span(self.values[..., -1])} {unit_of(self.output)}"
+            f" {span(self.values[..., -1])} {unit_of(out)}"
         )
 
 
@@ -228,7 +247,7 @@ def step_response(
     """
     B, C, D, names = _channel(lin, output, input)
     duration, count = positive("t", t, "s"), whole("samples", samples, 2)
-    height = float(finite("size", size, QUANTITIES[names[1]].unit))
+    height = float(finite("size", size, as_model(lin.model).quantities[names[1]].unit))
     times = np.linspace(0.0, duration, count)
     # the state with the constant input appended: x' = A x + B u, u' = 0
     augmented = np.zeros((*B.shape[:-1], 3, 3))
@@ -244,7 +263,7 @@ def step_response(
         raise GroundrollError(
             f"the step response grows beyond what a number can hold within {duration:g} s"
         )
-    return StepResponse(times, values, *names, height)
+    return StepResponse(times, values, *names, height, lin.aircraft, lin.model)
 
 
 def exponential(matrix: FloatArray) -> FloatArray:
@@ -276,11 +295,16 @@ class RootLocus(Pictured):
         1/s; a column is one mode, also through values at which two modes cross. Where a pair
         splits into two real modes, or two join, which is which has no answer; the columns stay
         continuous.
+    aircraft : Aircraft
+    model : str or Model
+        Whose eigenvalues they are.
     """
 
     parameter: str
     values: FloatArray
     eigenvalues: ComplexArray
+    aircraft: Aircraft
+    model: ModelLike
 
     def plot(self, ax: Axes | None = None, *, unit: str | None = None) -> Axes:
         """Draw the locus in the complex plane, coloured by the parameter in `unit`."""
@@ -289,9 +313,10 @@ class RootLocus(Pictured):
         return locus(self, ax, unit)
 
     def __repr__(self) -> str:
+        q = PARAMETERS[self.parameter]
         return (
-            f"RootLocus over {_named(self.parameter)}: {span(self.values)}"
-            f" {unit_of(self.parameter)}, {self.values.size} values"
+            f"RootLocus of {_whose(self)} over {_named(q)}: {span(self.values)}"
+            f" {unit_of(q)}, {self.values.size} values"
             f"\n  real parts {span(self.eigenvalues.real)} 1/s,"
             f" imaginary parts {span(self.eigenvalues.imag)} rad/s"
         )
@@ -328,7 +353,7 @@ def root_locus(
         With each mode in a column of its own.
     """
     key = symbol(parameter, "parameter", parameter_symbols(), "root_locus")
-    swept = finite(f"values of {key}", values, QUANTITIES[key].unit)
+    swept = finite(f"values of {key}", values, PARAMETERS[key].unit)
     steps = np.diff(np.atleast_1d(swept))
     if swept.ndim != 1 or swept.size < 2 or not ((steps > 0).all() or (steps < 0).all()):
         raise GroundrollError(f"values of {key} must be a list that increases or decreases")
@@ -339,7 +364,7 @@ def root_locus(
             f"a locus has one parameter, but other arrays give it the shape {lin.decay_rate.shape}"
         )
     eigenvalues = np.broadcast_to(lin.eigenvalues, (*swept.shape, 2))
-    return RootLocus(key, swept, follow(swept, eigenvalues))
+    return RootLocus(key, swept, follow(swept, eigenvalues), plane, lin.model)
 
 
 def follow(values: FloatArray, eigenvalues: ComplexArray) -> ComplexArray:

@@ -12,7 +12,8 @@ from matplotlib.patheffects import withStroke
 
 from .arrays import FloatArray
 from .errors import GroundrollError
-from .names import QUANTITIES
+from .models import as_model
+from .names import PARAMETERS
 from .plots import COLOURS, DASHES, INK, MUTED, SHOWN_UNITS, axis_label, in_shown_unit, style
 from .units import from_si
 
@@ -53,7 +54,8 @@ def bode(
     response: FrequencyResponse, ax: Sequence[Axes] | None, decibels: bool
 ) -> tuple[Axes, Axes]:
     """Magnitude above phase over frequency."""
-    q, by = QUANTITIES[response.output], QUANTITIES[response.input]
+    known = as_model(response.model).quantities
+    q, by = known[response.output], known[response.input]
     unit = SHOWN_UNITS.get(q.unit, q.unit)
     with style():
         if ax is None:
@@ -63,7 +65,7 @@ def bode(
         if (count := np.asarray(ax, dtype=object).size) != 2:
             raise GroundrollError(f"a Bode diagram needs two axes, not {count}")
         above, below = ax
-        magnitude = in_shown_unit(response.output, response.magnitude)
+        magnitude = in_shown_unit(q, response.magnitude)
         phase = np.degrees(response.phase)
         lines = zip(_rows(magnitude), _rows(phase), strict=True)
         for k, (size, angle) in enumerate(lines):
@@ -88,17 +90,18 @@ def bode(
 
 def step(response: StepResponse, ax: Axes | None) -> Axes:
     """An output over time after a step."""
-    q = QUANTITIES[response.input]
+    known = as_model(response.model).quantities
+    q, by = known[response.output], known[response.input]
     with style():
         ax = _new(ax, (6, 3.2))
-        for k, line in enumerate(_rows(in_shown_unit(response.output, response.values))):
+        for k, line in enumerate(_rows(in_shown_unit(q, response.values))):
             ax.plot(response.t, line, **_look(k))
         _tell_apart(ax, len(ax.lines))
         ax.axhline(0.0, color=MUTED, linewidth=0.8)
         ax.set_xlim(0.0, response.t[-1])
         ax.set_xlabel("time after the step (s)")
-        ax.set_ylabel(axis_label(response.output))
-        ax.set_title(f"step of {response.size:g} {q.unit} in {_words(q.name)} ${q.latex}$")
+        ax.set_ylabel(axis_label(q))
+        ax.set_title(f"step of {response.size:g} {by.unit} in {_words(by.name)} ${by.latex}$")
     return ax
 
 
@@ -130,7 +133,7 @@ def pole_map(lin: Linearization, ax: Axes | None = None) -> Axes:
 
 def locus(root_locus: RootLocus, ax: Axes | None, unit: str | None) -> Axes:
     """Eigenvalues in the complex plane, coloured by the parameter."""
-    q = QUANTITIES[root_locus.parameter]
+    q = PARAMETERS[root_locus.parameter]
     factor = from_si(1.0, q.unit, unit) if unit else 1.0
     shown = root_locus.values * factor
     with style():

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Self
 
 from . import records
 from .errors import GroundrollError
+from .models import ModelLike
 
 if TYPE_CHECKING:
     import pandas
@@ -67,22 +68,33 @@ class Result:
         return records.write(self._record(), path)
 
     @classmethod
-    def load(cls, path: str | Path, *, other_equations: bool = False) -> Self:
+    def load(
+        cls,
+        path: str | Path,
+        *,
+        model: ModelLike | None = None,
+        other_equations: bool = False,
+    ) -> Self:
         """Read what `save` wrote: ``Ensemble.load`` an ensemble, ``Result.load`` whatever it is.
 
         Parameters
         ----------
         path : str or Path
             The file.
+        model : str, Path or Model, optional
+            The model it is a result of. It is found by name, or in the folder where it was, if
+            omitted.
         other_equations : bool
-            Whether to accept results of other equations than those that are installed.
+            Whether to accept results of other equations than those of the model as it is now.
 
         Raises
         ------
         GroundrollError
-            If the file is no such thing, is damaged, or comes from other equations.
+            If the file is no such thing, is damaged, or comes from other equations; if its model
+            is not found.
         """
-        result = restored(records.read(path, other_equations=other_equations))
+        record = records.read(path, model=model, other_equations=other_equations)
+        result = restored(record)
         if not isinstance(result, cls):
             words = f"{path} holds a {type(result).__name__}, not a {cls.__name__}"
             raise GroundrollError(words)

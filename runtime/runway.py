@@ -15,7 +15,8 @@ from matplotlib.patheffects import withStroke
 from .arrays import positive, whole
 from .errors import GroundrollError, one_of
 from .files import complete
-from .names import QUANTITIES
+from .models import as_model
+from .names import PARAMETERS
 from .plots import COLOURS, INK, MUTED, style
 from .progress import Progress, counted
 from .silhouette import ASPHALT, PAINT, Roll, draw_aircraft, draw_push, draw_tire_tracks
@@ -184,7 +185,7 @@ def _parts(run: Trajectory) -> Iterator[Roll]:
     paths = (run[s].reshape(-1, run.t.size) for s in ("X", "Y", "psi", "F_disturbance"))
     arms = (np.broadcast_to(run.aircraft[s], shape).ravel().tolist() for s in ("a", "b"))
     for k, (X, Y, psi, force, a, b) in enumerate(zip(*paths, *arms, strict=True)):
-        label = f"{run.aircraft.name}, {run.model} model{_varied(run, shape, k)}"
+        label = f"{run.aircraft.name}, {as_model(run.model).name} model{_varied(run, shape, k)}"
         yield Roll(run.t, X, Y, psi, force, a, b, label, COLOURS[0])
 
 
@@ -194,7 +195,7 @@ def _varied(run: Trajectory, shape: tuple[int, ...], k: int) -> str:
         return ""
     arrays = {s: value for s, value in run.aircraft.given.items() if value.ndim}
     own = [
-        f"{s} = {np.broadcast_to(value, shape).flat[k]:.4g} {QUANTITIES[s].unit}"
+        f"{s} = {np.broadcast_to(value, shape).flat[k]:.4g} {PARAMETERS[s].unit}"
         for s, value in arrays.items()
     ]
     return ", " + (", ".join(own) or f"run {', '.join(map(str, np.unravel_index(k, shape)))}")

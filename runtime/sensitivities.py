@@ -15,7 +15,6 @@ from .evaluate import columns
 from .linearization import ComplexArray, Linearization, columns_at
 from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
-from .names import QUANTITIES, symbol
 
 
 @dataclass(frozen=True, repr=False)
@@ -27,6 +26,7 @@ class Sensitivities(Listed):
 
     Attributes
     ----------
+    model : str or Model
     parameters : tuple of str
         Symbols, in the order of the last axis of the arrays.
     A : ndarray, shape (..., 2, 2, n)
@@ -40,6 +40,7 @@ class Sensitivities(Listed):
         Where the eigenvalues are too close to each other to tell apart.
     """
 
+    model: ModelLike
     parameters: tuple[str, ...]
     A: FloatArray
     eigenvalues: ComplexArray
@@ -47,7 +48,9 @@ class Sensitivities(Listed):
     modes_meet: npt.NDArray[np.bool_]
 
     def __getitem__(self, name: str) -> ComplexArray:
-        column = symbol(name, "parameter", self.parameters, "these sensitivities")
+        column = as_model(self.model).symbol(
+            name, "parameter", self.parameters, "these sensitivities"
+        )
         return self.eigenvalues[..., self.parameters.index(column)]
 
     def _title(self) -> str:
@@ -56,8 +59,9 @@ class Sensitivities(Listed):
 
     def _rows(self) -> Iterable[Sequence[str]]:
         for k, s in enumerate(self.parameters):
-            per = f" per {unit_of(s)}" if unit_of(s) else ""
-            yield s, QUANTITIES[s].name, span(self.decay_rate[..., k]), f"1/s{per}"
+            q = as_model(self.model).quantities[s]
+            per = f" per {unit_of(q)}" if unit_of(q) else ""
+            yield s, q.name, span(self.decay_rate[..., k]), f"1/s{per}"
 
 
 #: Eigenvalues closer than this, relative to the larger, carry no digits of their difference.
@@ -71,7 +75,8 @@ def sensitivities(lin: Linearization) -> Sensitivities:
     # CasADi stacks the columns of A
     dA = flat.reshape(*shape, 2, 2, len(p)).swapaxes(-3, -2)
     slopes, meet = _eigenvalue_derivatives(lin.A, lin.eigenvalues, dA)
-    return Sensitivities(as_model(lin.model).parameters, dA, slopes, -slopes[..., 0, :].real, meet)
+    names, decay = as_model(lin.model).parameters, -slopes[..., 0, :].real
+    return Sensitivities(lin.model, names, dA, slopes, decay, meet)
 
 
 def _eigenvalue_derivatives(

@@ -17,8 +17,7 @@ from .gusts import Gust, as_gust, sampled
 from .integration import integrate, integrate_varying
 from .listing import Listed, span, unit_of
 from .memory import check_memory
-from .models import ModelLike, as_model
-from .names import QUANTITIES, symbol
+from .models import Model, ModelLike, as_model
 from .records import Record, measured, run_dims, time_axis
 from .results import Result
 
@@ -58,7 +57,9 @@ class Trajectory(Listed, Result):
     gust: Gust | None = None
 
     def __getitem__(self, name: str) -> FloatArray:
-        return self.values[symbol(name, "state or output", tuple(self.values), "this run")]
+        return self.values[
+            as_model(self.model).symbol(name, "state or output", tuple(self.values), "this run")
+        ]
 
     def metrics(self, of: str | Sequence[str] = "y") -> Metrics:
         """Steady state, peak, recovery, rise and settling time, overshoot of y or other states.
@@ -81,21 +82,25 @@ class Trajectory(Listed, Result):
 
     def _record(self) -> Record:
         runs = run_dims(self["v"].shape[:-1])
-        series = {s: measured((*runs, "t"), values, s) for s, values in self.values.items()}
-        about: dict[str, Any] = {"model": self.model, "disturbance": "constant"}
+        model = as_model(self.model)
+        series = {
+            s: measured((*runs, "t"), values, model.quantities[s])
+            for s, values in self.values.items()
+        }
+        about: dict[str, Any] = {"disturbance": "constant"}
         if self.gust is not None:
             ended = bool((self.gust.end <= self.t[-1]).all())
             about |= {"disturbance": self.gust.label, "ended": ended}
         results = {"t": time_axis(self.t), **series}
-        return Record("trajectory", self.aircraft, runs, results, per=("t",), about=about)
+        return Record("trajectory", self.aircraft, model, runs, results, per=("t",), about=about)
 
     @classmethod
     def _of(cls, record: Record) -> Trajectory:
         """As it was; a disturbance that varied over time comes back as its samples."""
         t, about = record["t"], record.about
         values = {s: record[s] for s in record.results if s != "t"}
-        (force,) = (values[s] for s in as_model(about["model"]).inputs)
-        plane, model = record.aircraft, about["model"]
+        (force,) = (values[s] for s in record.model.inputs)
+        plane, model = record.aircraft, record.model.key
         if "ended" not in about:
             return cls(t, values, plane, model, force[..., 0])
         lines = sampled(t, force)
@@ -115,16 +120,15 @@ class Trajectory(Listed, Result):
     def _title(self) -> str:
         shape = self["v"].shape[:-1]
         many = f", {' x '.join(map(str, shape))} runs" if shape else ""
-        return (
-            f"Trajectory of {self.aircraft.name!r}, {self.model} model, 0 to {self.t[-1]:g} s,"
-            f" {self.t.size} samples{many}"
-        )
+        whose = f"{self.aircraft.name!r}, {as_model(self.model).name} model"
+        return f"Trajectory of {whose}, 0 to {self.t[-1]:g} s, {self.t.size} samples{many}"
 
     def _rows(self) -> Iterable[Sequence[str]]:
         for s, series in self.values.items():
             end = f"at the end {span(series[..., -1])}"
             peak = f"largest {np.abs(series).max():.5g}"
-            yield s, QUANTITIES[s].name, peak, end, unit_of(s)
+            q = as_model(self.model).quantities[s]
+            yield s, q.name, peak, end, unit_of(q)
 
 
 def simulate(
@@ -179,7 +183,7 @@ def simulate(
     check_memory(8 * count * len((*names.states, *names.outputs, *names.inputs)), "the series")
     aircraft = plane if speed is None else plane.replace(u=speed)
     times = np.linspace(0.0, duration, count)
-    start = _initial_state(initial, names.states)
+    start = _initial_state(initial, names)
     gust = as_gust(disturbance)
     force = finite("disturbance", disturbance, "N") if gust is None else gust(times)
     at_start = force if gust is None else force[..., 0]
@@ -218,8 +222,8 @@ def _outputs(model: ModelLike, x: FloatArray, u: FloatArray, p: FloatArray) -> F
     return np.stack([y[:, :, 0].T for (y,) in rows])
 
 
-def _initial_state(initial: Mapping[str, Any], states: tuple[str, ...]) -> dict[str, FloatArray]:
-    allowed = {f"{s}0": QUANTITIES[s].unit for s in states}
+def _initial_state(initial: Mapping[str, Any], model: Model) -> dict[str, FloatArray]:
+    allowed = {f"{s}0": model.quantities[s].unit for s in model.states}
     for name in initial:
         if name not in allowed:
             raise unknown("argument", name, [*allowed, "speed", "disturbance"], "simulate")

@@ -12,7 +12,7 @@ from .aircraft import Aircraft
 from .arrays import FloatArray, physical
 from .errors import GroundrollError, one_of
 from .evaluate import elementwise
-from .generated import build
+from .generated import PACKS, Quantity, build
 from .listing import Numbers
 from .polynomials import negative_stretch, roots
 
@@ -51,9 +51,16 @@ OVER_SPEED = {
     "stiffness_needed_always": ("tail_wheel_always", "Ct_always"),
 }
 
+_LINEAR = PACKS["linear"].quantities
+
+
+def quantity_of(margin: str) -> Quantity:
+    """What a margin is, by its name in `CLOSED_FORMS` or `OVER_SPEED`."""
+    return _LINEAR[(CLOSED_FORMS | OVER_SPEED)[margin][1]]
+
 
 @dataclass(frozen=True, repr=False)
-class Margins(Numbers, of={name: symbol for name, (_, symbol) in CLOSED_FORMS.items()}):
+class Margins(Numbers, of={name: quantity_of(name) for name in CLOSED_FORMS}):
     """How far an aircraft is from instability at a speed.
 
     Every attribute has the common shape of whatever was an array.
@@ -157,7 +164,7 @@ _WINDOW = {
 
 
 @dataclass(frozen=True, repr=False)
-class SpeedWindow(Numbers, of=_WINDOW):
+class SpeedWindow(Numbers, of={name: _LINEAR[s] for name, s in _WINDOW.items()}):
     """Speeds between which the linear model is unstable, and where it is worst.
 
     Attributes
@@ -242,7 +249,7 @@ def _worst_speed(
 
 
 @dataclass(frozen=True, repr=False)
-class GearLimit(Numbers, of={"lost": "a", "regained": "a"}):
+class GearLimit(Numbers, of={"lost": _LINEAR["a"], "regained": _LINEAR["a"]}):
     """Positions of the main gear between which the aircraft is unstable at a speed.
 
     Attributes
@@ -297,7 +304,7 @@ def _at_tail_load(plane: Aircraft, share: FloatArray) -> dict[str, FloatArray]:
 
 
 @dataclass(frozen=True, repr=False)
-class GearEnvelope(Numbers, of={"lost": "a", "speed": "u"}):
+class GearEnvelope(Numbers, of={"lost": _LINEAR["a"], "speed": _LINEAR["u"]}):
     """The foremost position of the main gear that is stable at every speed of a range.
 
     Attributes

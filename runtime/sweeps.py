@@ -15,9 +15,11 @@ from .arrays import FloatArray, check_out, common_shape
 from .chunks import thread_count
 from .errors import GroundrollError, one_of, unknown
 from .evaluate import names_of, sweep_into
+from .generated import PACKS, Quantity
 from .linearization import ComplexArray
 from .listing import Listed, span, unit_of
 from .memory import check_memory
+from .models import as_model
 from .names import listed, symbol
 from .records import Record, measured, run_dims
 from .results import Result
@@ -32,6 +34,7 @@ SWEPT = {
         if function != "times"
     },
 }
+_LINEAR = PACKS["linear"].quantities
 _MODES = ("re_1", "im_1", "re_2", "im_2", "damping_ratio", "natural_frequency")
 
 
@@ -63,8 +66,8 @@ class Sweep(Listed, Result, Mapping[str, FloatArray]):
 
     def _record(self) -> Record:
         runs = run_dims(next(iter(self.arrays.values())).shape)
-        results = {name: measured(runs, v, SWEPT[name][1]) for name, v in self.arrays.items()}
-        return Record("sweep", self.aircraft, runs, results)
+        results = {name: measured(runs, v, _quantity(name)) for name, v in self.arrays.items()}
+        return Record("sweep", self.aircraft, as_model("linear"), runs, results)
 
     @classmethod
     def _of(cls, record: Record) -> Sweep:
@@ -82,7 +85,7 @@ class Sweep(Listed, Result, Mapping[str, FloatArray]):
 
     def _rows(self) -> Iterable[Sequence[str]]:
         for name, array in self.arrays.items():
-            yield name, span(array), unit_of(SWEPT[name][1])
+            yield name, span(array), unit_of(_quantity(name))
 
 
 def sweep(
@@ -135,6 +138,10 @@ def sweep(
         wanted = {SWEPT[name][1]: results[name] for name in names if SWEPT[name][0] == function}
         sweep_into(function, given, shape, wanted, count)
     return Sweep(aircraft, results)
+
+
+def _quantity(name: str) -> Quantity:
+    return _LINEAR[SWEPT[name][1]]
 
 
 def _names(of: Iterable[str]) -> tuple[str, ...]:

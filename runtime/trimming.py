@@ -17,9 +17,9 @@ from .evaluate import columns, elementwise
 from .linearization import OperatingPoint, modes_of
 from .listing import Listed
 from .models import ModelLike, as_model
-from .names import symbol
 from .records import Column, Record, measured, run_dims
 from .results import Result
+from .stability import quantity_of
 
 BoolArray = npt.NDArray[np.bool_]
 
@@ -71,7 +71,9 @@ class Trim(Listed, Result):
     disturbance: FloatArray
 
     def __getitem__(self, name: str) -> FloatArray:
-        return self.values[symbol(name, "state or output", tuple(self.values), "this trim")]
+        return self.values[
+            as_model(self.model).symbol(name, "state or output", tuple(self.values), "this trim")
+        ]
 
     @property
     def points(self) -> tuple[OperatingPoint, ...]:
@@ -93,13 +95,15 @@ class Trim(Listed, Result):
 
     def _record(self) -> Record:
         runs, per = run_dims(self.count.shape), ("branch",)
-        results = {s: measured((*runs, *per), values, s) for s, values in self.values.items()}
-        results["decay_rate"] = measured((*runs, *per), self.decay_rate, "decay_rate")
+        model, dims = as_model(self.model), (*runs, *per)
+        q = {**model.quantities, "decay_rate": quantity_of("decay_rate")}
+        rates = {"decay_rate": self.decay_rate}
+        results = {s: measured(dims, v, q[s]) for s, v in {**self.values, **rates}.items()}
         results["stable"] = Column((*runs, *per), self.stable)
         results |= {name: Column(runs, getattr(self, name)) for name in ("count", "singular")}
         given = {"F_disturbance": self.disturbance}
-        about = {"model": self.model, "slip": self.slip}
-        return Record("trim", self.aircraft, runs, results, per, given, about)
+        about = {"slip": self.slip}
+        return Record("trim", self.aircraft, model, runs, results, per, given, about)
 
     @classmethod
     def _of(cls, record: Record) -> Trim:
@@ -108,11 +112,17 @@ class Trim(Listed, Result):
         count = results.pop("count").astype(np.int64)
         (force,) = record.given.values()
         return cls(
-            results, count=count, aircraft=record.aircraft, disturbance=force, **own, **record.about
+            results,
+            count=count,
+            aircraft=record.aircraft,
+            model=record.model.key,
+            disturbance=force,
+            **own,
+            **record.about,
         )
 
     def _title(self) -> str:
-        head = f"Trim of {self.aircraft.name!r}, {self.model} model"
+        head = f"Trim of {self.aircraft.name!r}, {as_model(self.model).name} model"
         if self.count.ndim:
             few, many = self.count.min(), self.count.max()
             return f"{head}: {self.count.shape} cases with {few} to {many} equilibria"

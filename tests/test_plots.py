@@ -9,6 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import groundroll as gr
+from groundroll.names import QUANTITIES
 from groundroll.plots import axis_label, style, time_history
 
 
@@ -45,7 +46,7 @@ def test_angles_are_in_degrees(run):
     ],
 )
 def test_labels_name_the_shown_unit(name, label):
-    assert axis_label(name) == label
+    assert axis_label(QUANTITIES[name]) == label
 
 
 def test_given_axes_are_used_and_returned(run):

@@ -20,8 +20,10 @@ import xarray as xr
 
 import groundroll as gr
 from groundroll import records
-from groundroll.names import DIGEST
+from groundroll.models import as_model
 from groundroll.results import KINDS
+
+DIGEST = as_model("nonlinear").digest
 
 
 @pytest.fixture(scope="module")
@@ -166,7 +168,8 @@ def test_a_run_of_other_equations_is_refused(
     run: gr.Trajectory, suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = run.save(tmp_path / f"run{suffix}")
-    monkeypatch.setattr(records, "DIGEST", "0123456789abcdef")
+    other = dataclasses.replace(as_model("nonlinear"), digest="0123456789abcdef")
+    monkeypatch.setattr(records, "as_model", lambda _: other)
     with pytest.raises(gr.GroundrollError, match=rf"other equations .digest {DIGEST}.*0123"):
         gr.Trajectory.load(path)
     assert gr.Trajectory.load(path, other_equations=True)["v"][0] == run["v"][0]
@@ -177,7 +180,7 @@ def test_a_record_of_another_layout_is_refused(
 ) -> None:
     path = run.save(tmp_path / "run.npz")
     monkeypatch.setattr(records, "_LAYOUT", 99)
-    with pytest.raises(gr.GroundrollError, match="has the layout 2; this reads the layout 99"):
+    with pytest.raises(gr.GroundrollError, match="has the layout 3; this reads the layout 99"):
         gr.Trajectory.load(path)
 
 
@@ -237,7 +240,7 @@ def test_a_run_in_xarray(many: gr.Trajectory) -> None:
     last = data["Y"].isel(t=-1).set_index(run_1="a").sel(run_1=0.4)
     assert np.array_equal(last, many["Y"][:, 1, -1])
     assert data["v"].attrs["units"] == "m/s"
-    assert data.attrs["equations"] == DIGEST
+    assert data.attrs["equations"] == as_model("linear").digest
 
 
 def test_a_run_in_pandas(run: gr.Trajectory, many: gr.Trajectory) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from groundroll.models import ModelLike
+from groundroll.models import ModelLike, as_model
 from groundroll.names import MODELS, QUANTITIES
 
 from . import options
@@ -213,10 +213,11 @@ def _figure(ens: Ensemble, axes: dict[str, Any], units: Mapping[str, str]) -> An
 
 
 def _text(ens: Ensemble, ranges: Mapping[str, options.Grid], random: int | None) -> str:
+    over = ", ".join(_range(ens, each) for each in ranges.values())
     kind = "drawn evenly" if random else " x ".join(map(str, ens.status.shape))
     head = (
-        f"{ens.aircraft.name}, {ens.model} model: {ens.status.size} trajectories of"
-        f" {number(ens.t)} s ({kind}) over {', '.join(map(_range, ranges.values()))}"
+        f"{ens.aircraft.name}, {as_model(ens.model).name} model: {ens.status.size} trajectories of"
+        f" {number(ens.t)} s ({kind}) over {over}"
     )
     counts = ", ".join(f"{n} {name}" for name, n in ens.counts.items())
     parts = [filled(head), f"tol {ens.tol:g}: {counts}", _spread_table(ens)]
@@ -225,14 +226,15 @@ def _text(ens: Ensemble, ranges: Mapping[str, options.Grid], random: int | None)
     return "\n\n".join(parts)
 
 
-def _range(grid: options.Grid) -> str:
-    from groundroll.ensemble_plot import quantity
+def _range(ens: Ensemble, grid: options.Grid) -> str:
+    from groundroll.ensemble_plot import varied
 
-    q = QUANTITIES[quantity(grid.symbol)]
+    q, before = varied(ens, grid.symbol)
     values = grid.values[1]
     low, unit = shown(values[0], q.unit)
-    words = q.name if quantity(grid.symbol) == grid.symbol else f"initial {q.name}"
-    return f"{words} {number(low)} to {number(shown(values[-1], q.unit)[0])} {unit}".rstrip()
+    return (
+        f"{before}{q.name} {number(low)} to {number(shown(values[-1], q.unit)[0])} {unit}".rstrip()
+    )
 
 
 def _spread_table(ens: Ensemble) -> str:
@@ -271,10 +273,10 @@ def _columns(ens: Ensemble) -> dict[str, tuple[str, Any]]:
 
 
 def _rows(ens: Ensemble, axes: Mapping[str, Any], drawn: bool) -> Iterator[list[Any]]:
-    from groundroll.ensemble_plot import quantity
+    from groundroll.ensemble_plot import varied
 
     columns = _columns(ens)
-    heads = [options.with_unit(s, QUANTITIES[quantity(s)].unit) for s in axes]
+    heads = [options.with_unit(s, varied(ens, s)[0].unit) for s in axes]
     heads += [options.with_unit(name, unit) for name, (unit, _) in columns.items()]
     yield [*heads, "status"]
     grid = axes.values() if drawn else np.meshgrid(*axes.values(), indexing="ij")

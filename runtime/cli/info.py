@@ -33,20 +33,20 @@ def command(file: Path | None, form: str, out: Path | None) -> None:
 
 def _kept(file: Path) -> Output:
     """What is in a file, also if other equations than those installed made it."""
-    from groundroll.names import DIGEST
     from groundroll.records import read
     from groundroll.results import restored
 
     record = read(file, other_equations=True)
     result = restored(record)
     made = dict(record.provenance)
-    equations = made.pop("equations")
-    same = "those installed" if equations == DIGEST else f"not those installed, {DIGEST}"
+    model, equations, now = made.pop("model"), made.pop("equations"), record.model.digest
+    same = "as they are now" if equations == now else f"now they are others, {now}"
     versions = ", ".join(f"{name} {number}" for name, number in made.items())
-    text = f"{result!r}\n\n{record.aircraft!r}\n\n{versions}\nequations {equations}, {same}"
+    made_from = f"equations of the model {model}: {equations}, {same}"
+    text = f"{result!r}\n\n{record.aircraft!r}\n\n{versions}\n{made_from}"
     parts: dict[str, Mapping[str, Any]] = {
         "about": record.about,
-        "inputs": record.inputs,
+        "inputs": {name: column.values for name, (_, _, column) in record.inputs.items()},
         "arrays": {name: column.sizes for name, column in record.results.items()},
         "provenance": record.provenance,
     }

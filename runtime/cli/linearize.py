@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.models import ModelLike
+from groundroll.models import ModelLike, as_model
 
 from . import options
 from .output import Output, emit, number, table
@@ -61,7 +61,7 @@ def command(
 def _text(lin: Linearization) -> str:
     verdict = "stable" if lin.decay_rate > 0 else "unstable"
     head = (
-        f"{lin.aircraft.name}, {lin.model} model, {number(lin.aircraft['u'])} m/s,"
+        f"{lin.aircraft.name}, {as_model(lin.model).name} model, {number(lin.aircraft['u'])} m/s,"
         f" v = {number(lin.at.v)} m/s, r = {number(lin.at.r)} rad/s: {verdict}"
     )
     modes = [["eigenvalues", _pair(lin.eigenvalues), "1/s"]]

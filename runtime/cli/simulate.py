@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.models import ModelLike
+from groundroll.models import ModelLike, as_model
 from groundroll.names import MODELS, QUANTITIES
 
 from . import options
@@ -154,7 +154,7 @@ def _text(run: Trajectory, metrics: Metrics) -> str:
         last, _ = shown(series[-1], q.unit)
         rows.append([q.name, s, number(peak), number(last), unit])
     head = (
-        f"{run.aircraft.name}, {run.model} model, {number(run.aircraft['u'])} m/s,"
+        f"{run.aircraft.name}, {as_model(run.model).name} model, {number(run.aircraft['u'])} m/s,"
         f" {number(run.t[-1])} s"
     )
     over_time = table(["quantity", "symbol", "largest", "at the end", "unit"], rows, right=(2, 3))

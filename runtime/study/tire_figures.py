@@ -116,8 +116,8 @@ def normalised(figure: Figure, spec: FigureSpec) -> None:
         axis.plot(alpha_bar, curve, color=INK, linestyle=DASHES[k], linewidth=1.2, label=label)
     axis.set_xlim(0, alpha_bar[-1])
     axis.set_ylim(0, None)
-    axis.set_xlabel(axis_label("alpha_bar"))
-    axis.set_ylabel(axis_label("F_bar"))
+    axis.set_xlabel(axis_label(QUANTITIES["alpha_bar"]))
+    axis.set_ylabel(axis_label(QUANTITIES["F_bar"]))
     axis.legend(loc="lower right", ncols=2)
 
 
