@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import GroundrollError
+from .memory import check_memory
 from .records import Record
 from .tables import needed, to_xarray
 
@@ -40,7 +41,9 @@ def write(path: Path, record: Record, text: str) -> None:
 def read(path: Path) -> tuple[str, dict[str, npt.NDArray[Any]]]:
     """The text and the arrays of a record; ValueError if they do not belong together."""
     xarray = needed("xarray", "NetCDF", "netcdf")
-    dataset = xarray.load_dataset(path, decode_times=False, decode_timedelta=False)
+    with xarray.open_dataset(path, decode_times=False, decode_timedelta=False) as stored:
+        check_memory(stored.nbytes, f"what is in {path}")  # compressed it may be small
+        dataset = stored.load()
     arrays = {name: _whole(variable) for name, variable in dataset.variables.items()}
     text = dataset.attrs["record"]
     if dataset.attrs["checksum"] != _checksum(text, arrays):

@@ -8,13 +8,12 @@ the one; what reads NetCDF finds dimensions, units and meanings in the other.
 from __future__ import annotations
 
 import json
-import zlib
+import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
-from zipfile import BadZipFile
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +21,7 @@ import numpy.typing as npt
 from .aircraft import Aircraft, Source
 from .arrays import FloatArray
 from .errors import GroundrollError
-from .files import complete
+from .files import as_path, complete
 from .generated import Quantity
 from .models import Model, ModelLike, as_model
 from .names import PARAMETERS
@@ -191,7 +190,7 @@ def write(record: Record, path: str | Path) -> Path:
     GroundrollError
         If the path ends in anything else or cannot be written.
     """
-    target = Path(path)
+    target = as_path(path)
     store, _ = _format(target)
     with complete(target) as draft:
         store(draft, record, _text(record))
@@ -218,24 +217,26 @@ def read(
         If the file cannot be read, is damaged or no record, its model is not found, or the
         equations of that are others.
     """
-    about, arrays = _fetched(path)
-    made_with = about["provenance"]
+    about, arrays, made = _fetched(path)
     try:
-        found = as_model(made_with["model"] if model is None else model)
+        found = as_model(made.model if model is None else model)
     except GroundrollError as problem:
         if model is not None:
             raise
         raise GroundrollError(
-            f"{path} is a result of the model {made_with['model']}, which is not found ({problem});"
+            f"{path} is a result of the model {made.model}, which is not found ({problem});"
             " say where it is: load(path, model=...)"
         ) from None
-    if made_with["equations"] != found.digest and not other_equations:
+    if made.equations != found.digest and not other_equations:
         raise GroundrollError(
-            f"{path} was computed from other equations (digest {made_with['equations']}, groundroll"
-            f" {made_with['groundroll']}) than those of the model {found.name} ({found.digest});"
+            f"{path} was computed from other equations (digest {made.equations}, groundroll"
+            f" {made.groundroll}) than those of the model {found.name} ({found.digest});"
             " compute it again, or accept it with other_equations=True"
         )
-    return _put_together(about, arrays, found)
+    try:
+        return _put_together(about, arrays, found)
+    except (LookupError, TypeError, ValueError, AttributeError) as problem:
+        raise _damaged(path) from problem
 
 
 def about(path: str | Path) -> Mapping[str, Any]:
@@ -243,25 +244,43 @@ def about(path: str | Path) -> Mapping[str, Any]:
     return _fetched(path)[0]
 
 
-def _fetched(path: str | Path) -> tuple[dict[str, Any], dict[str, npt.NDArray[Any]]]:
-    _, fetch = _format(Path(path))
-    if not Path(path).is_file():
-        raise GroundrollError(f"cannot read {path}: there is no such file")
+class _Made(NamedTuple):
+    """By what a result was made."""
+
+    model: str
+    equations: str
+    groundroll: str
+
+
+def _fetched(path: str | Path) -> tuple[dict[str, Any], dict[str, npt.NDArray[Any]], _Made]:
+    source = as_path(path)
+    _, fetch = _format(source)
+    if not os.path.isfile(source):
+        raise GroundrollError(f"cannot read {source}: there is no such file")
     try:
-        text, arrays = fetch(Path(path))
+        text, arrays = fetch(source)
         found = json.loads(text)
         layout = found["layout"]
-    except (OSError, ValueError, LookupError, AttributeError, BadZipFile, zlib.error) as problem:
-        raise GroundrollError(f"{path} is no record of groundroll, or is damaged") from problem
+        made = _Made(*(str(found["provenance"][name]) for name in _Made._fields))
+    except GroundrollError:
+        raise
+    except Exception as problem:  # zip, NumPy and NetCDF each have their own, and many
+        raise _damaged(source) from problem
     if layout != _LAYOUT:
-        raise GroundrollError(f"{path} has the layout {layout}; this reads the layout {_LAYOUT}")
-    return found, arrays
+        raise GroundrollError(f"{source} has the layout {layout}; this reads the layout {_LAYOUT}")
+    return found, arrays, made
+
+
+def _damaged(path: str | Path) -> GroundrollError:
+    return GroundrollError(f"{path} is no record of groundroll, or is damaged")
 
 
 def _format(path: Path) -> Any:
     """How to write and how to read a file, by its suffix."""
     if path.suffix == ".npz":
-        return _write_npz, _read_npz
+        from . import npz
+
+        return npz.write, npz.read
     if path.suffix == ".nc":
         from . import netcdf
 
@@ -308,30 +327,26 @@ def _put_together(
         for place, values in about["inputs"].items()
     }
     sources = {s: Source(**source) for s, source in about["sources"].items()}
+    results = {s: Column(_names(dims), arrays[s]) for s, dims in about["results"].items()}
+    sizes = {size for column in results.values() for size in column.sizes.items()}
+    if len(sizes) > len(dict(sizes)):
+        raise ValueError("a dimension has two sizes")
     return Record(
         kind=about["kind"],
         aircraft=Aircraft(
             given=inputs["aircraft"], own=inputs["own"], sources=sources, **about["aircraft"]
         ),
         model=model,
-        runs=tuple(about["runs"]),
-        results={s: Column(tuple(dims), arrays[s]) for s, dims in about["results"].items()},
-        per=tuple(about["per"]),
+        runs=_names(about["runs"]),
+        results=results,
+        per=_names(about["per"]),
         given=inputs["given"],
-        about=about["about"],
-        made_with=about["provenance"],
+        about=dict(about["about"]),
+        made_with=dict(about["provenance"]),
     )
 
 
-def _write_npz(path: Path, record: Record, text: str) -> None:
-    arrays = {name: c.values for name, c in {**record.varied, **record.results}.items()}
-    with path.open("wb") as file:
-        np.savez_compressed(file, record=np.array(text), **arrays)  # type: ignore[arg-type]
-
-
-def _read_npz(path: Path) -> tuple[str, dict[str, npt.NDArray[Any]]]:
-    with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
-        if archive.zip.testzip() is not None:  # reading an array doesn't look at checksums
-            raise BadZipFile
-        arrays = {name: archive[name] for name in archive.files}
-    return str(arrays.pop("record")), arrays
+def _names(found: Any) -> tuple[str, ...]:
+    if not isinstance(found, list) or not all(isinstance(name, str) for name in found):
+        raise TypeError("no list of names")
+    return tuple(found)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Self
 
 from . import records
-from .errors import GroundrollError
+from .errors import GroundrollError, one_of
 from .models import ModelLike
 
 if TYPE_CHECKING:
@@ -112,6 +112,11 @@ class Result:
 
 def restored(record: records.Record) -> Result:
     """The result that consists of what a file held."""
-    module, name = KINDS[record.kind]
+    module, name = KINDS[one_of("kind of result", record.kind, KINDS)]
     kind: type[Result] = getattr(importlib.import_module(f".{module}", __package__), name)
-    return kind._of(record)
+    try:
+        result = kind._of(record)
+        repr(result)  # whatever is missing is missed here
+    except (LookupError, TypeError, ValueError, AttributeError) as problem:
+        raise GroundrollError(f"the record holds no whole {name}") from problem
+    return result

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import dataclasses
+import functools
 import importlib
 import json
 import pickle
+import tracemalloc
 import zipfile
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -19,7 +22,7 @@ import pytest
 import xarray as xr
 
 import groundroll as gr
-from groundroll import records
+from groundroll import memory, records
 from groundroll.models import as_model
 from groundroll.results import KINDS
 
@@ -331,3 +334,88 @@ def test_a_missing_extra_is_named(
     monkeypatch.setattr(importlib, "import_module", without)
     with pytest.raises(gr.GroundrollError, match=rf"pip install 'groundroll\[{package}\]'"):
         getattr(run, f"to_{package}")()
+
+
+# --- Files that somebody has had a hand in --------------------------------------------------
+
+
+def rewritten(path: Path, change: Callable[[dict[str, Any]], None], **more: Any) -> Path:
+    """A copy of an npz with another text, and further arrays."""
+    with np.load(path) as archive:
+        arrays = {name: archive[name] for name in archive.files}
+    about = json.loads(str(arrays.pop("record")))
+    change(about)
+    copy = path.with_name("changed.npz")
+    np.savez_compressed(copy, record=np.array(json.dumps(about)), **{**arrays, **more})
+    return copy
+
+
+@pytest.mark.parametrize("name", ["run", "points", "map", "starts", "trims", "ensemble"])
+def test_a_text_with_keys_missing_is_refused(name: str, tmp_path: Path) -> None:
+    path = kept(name).save(tmp_path / "kept.npz")
+    keys: list[tuple[str, ...]] = []
+    rewritten(path, lambda about: keys.extend((key,) for key in about))
+    for group in ("about", "aircraft", "provenance", "results", "inputs"):
+        rewritten(path, lambda about, group=group: keys.extend((group, k) for k in about[group]))
+    optional = {("aircraft", s) for s in ("title", "description", "source")}
+    optional |= {("provenance", s) for s in ("casadi", "numpy")}
+    optional |= {("about", s) for s in ("disturbance", "half_width", "heading")}
+    for place in keys:
+
+        def remove(about: dict[str, Any], place: tuple[str, ...] = place) -> None:
+            functools.reduce(dict.__getitem__, place[:-1], about).pop(place[-1])
+
+        changed = rewritten(path, remove)
+        if place in optional:
+            with contextlib.suppress(gr.GroundrollError):
+                gr.Result.load(changed)
+            continue
+        with pytest.raises(gr.GroundrollError, match=r"damaged|no whole|kind of result"):
+            gr.Result.load(changed)
+
+
+@pytest.mark.parametrize("value", [None, 5, "x", [], {}, [1], {"a": 1}, True])
+def test_a_text_with_something_else_in_its_place_is_refused(value: Any, tmp_path: Path) -> None:
+    path = kept("run").save(tmp_path / "kept.npz")
+    for key in ("layout", "kind", "runs", "per", "results", "inputs", "about"):
+        changed = rewritten(path, lambda about, key=key: about.update({key: value}))
+        if value in ([], {}) or (key == "about" and isinstance(value, dict)):
+            with contextlib.suppress(gr.GroundrollError):  # an aircraft of which little is known
+                gr.Result.load(changed)
+        else:
+            with pytest.raises(gr.GroundrollError):
+                gr.Result.load(changed)
+
+
+def test_an_array_by_itself_is_no_record(tmp_path: Path) -> None:
+    np.save(tmp_path / "x.npy", np.zeros(3))
+    path = (tmp_path / "x.npy").rename(tmp_path / "x.npz")
+    with pytest.raises(gr.GroundrollError, match="no record of groundroll, or is damaged"):
+        gr.Result.load(path)
+
+
+def test_what_does_not_belong_is_not_unpacked(tmp_path: Path) -> None:
+    path = kept("run").save(tmp_path / "kept.npz")
+    bomb = np.zeros(2**24)
+    changed = rewritten(path, lambda about: None, bomb=bomb)
+    forged = rewritten(path, lambda about: about["results"].update(v=["t"]), v=bomb)
+    forged.rename(tmp_path / "forged.npz")
+    changed = rewritten(path, lambda about: None, bomb=bomb)
+    for file in (changed, tmp_path / "forged.npz"):
+        tracemalloc.start()
+        with pytest.raises(gr.GroundrollError, match="is no record"):
+            gr.Result.load(file)
+        _, peak = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        assert peak < bomb.nbytes + 2**24
+    assert changed.stat().st_size < bomb.nbytes / 500
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+def test_more_than_fits_into_memory_is_not_unpacked(
+    suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = gr.simulate(PLANE, t=1.0, samples=200_001).save(tmp_path / f"kept{suffix}")
+    monkeypatch.setattr(memory, "_available", lambda: 10**6)
+    with pytest.raises(gr.GroundrollError, match="not enough memory for what is in"):
+        gr.Result.load(path)
