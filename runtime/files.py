@@ -25,8 +25,17 @@ def as_path(value: Any) -> Path:
         raise GroundrollError(f"a path must be a text, not {shown(value)}") from None
 
 
-def text_of(path: Path, most: int = 2**18) -> str:
+def text_of(path: Path, most: int = 2**18, otherwise: str = "") -> str:
     """The text of an ordinary file of at most so many bytes.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    most : int
+        Its largest size.
+    otherwise : str, optional
+        An encoding for what is not in UTF-8, as spreadsheets write it.
 
     Raises
     ------
@@ -42,7 +51,8 @@ def text_of(path: Path, most: int = 2**18) -> str:
         if about.st_size > most:
             sizes = f"it has {about.st_size:_} bytes, and no more than {most:_} are read"
             raise GroundrollError(f"cannot read {path}: {sizes}")
-        return path.read_text(encoding="utf-8-sig")
+        content = path.read_bytes()
+        return _decoded(content, otherwise)
     except OSError as problem:
         raise GroundrollError(f"cannot read {path}: {problem.strerror}") from problem
     except UnicodeDecodeError as problem:
@@ -51,6 +61,15 @@ def text_of(path: Path, most: int = 2**18) -> str:
         if isinstance(problem, GroundrollError):
             raise
         raise GroundrollError(f"cannot read {shown(str(path))}: {problem}") from problem
+
+
+def _decoded(content: bytes, otherwise: str) -> str:
+    try:
+        return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+    except UnicodeDecodeError:
+        if not otherwise or b"\0" in content:
+            raise
+        return content.decode(otherwise, errors="replace")
 
 
 @contextmanager

@@ -1,67 +1,91 @@
-"""Measured lateral forces of a tire, as in Table 3.1."""
+"""Measured lateral forces of a tire."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from dataclasses import dataclass
-from importlib import resources
+from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from .arrays import FloatArray, finite
-from .errors import GroundrollError, listed, one_of, shown
-from .evaluate import elementwise
-from .files import as_path, text_of
-from .units import UnitError, to_si
+from .errors import GroundrollError, listed, one_of
+from .files import as_path
 
-_SECANT = np.radians(1.0)  # where Eq. 3.2 takes the cornering coefficient
-_FEWEST_ANGLES, _FEWEST_LOADS = 5, 2
+#: Different slip angles beside zero that a curve takes.
+_FEWEST = 4
+#: Largest force over load that can be: below and above, a unit is not what it seems.
+_FRICTION = (0.02, 5.0)
+#: How far apart loads may be, relative, that were meant to be one.
+_SAME_LOAD = 0.05
+
+
+@dataclass(frozen=True)
+class Curve:
+    """What was measured at one load, in order of the slip angle: N, rad, N, and N as measured."""
+
+    load: float
+    slip_angles: FloatArray
+    forces: FloatArray
+    loads: FloatArray
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class TireData:
-    """Measured lateral forces of one tire.
+    """Measured lateral forces of one tire, point by point or as a table.
 
     Attributes
     ----------
     name : str
         Which tire.
-    slip_angles : ndarray, shape (n,)
-        rad, increasing, below 90 deg; one of them is 1 deg.
-    loads : ndarray, shape (k,)
-        Vertical loads, N, increasing.
-    forces : ndarray, shape (n, k)
-        N, positive for a positive slip angle as in the thesis.
+    slip_angles, loads, forces : ndarray, shape (n,)
+        rad, N and N of each point, by load and angle; forces are positive for positive slip angles
+        as in the thesis. May be given as a table: slip angles (n,), loads (k,), forces (n, k); in
+        any order, with angles of both signs, and with either sign of the forces.
+    notes : tuple of str
+        What had to be understood to read them.
     """
 
     name: str
     slip_angles: FloatArray
     loads: FloatArray
     forces: FloatArray
+    notes: tuple[str, ...] = field(default=())
 
     def __post_init__(self) -> None:
-        for field in ("slip_angles", "loads", "forces"):
-            array = finite(f"{field} of tire data {self.name!r}", getattr(self, field)).copy()
-            array.setflags(write=False)
-            object.__setattr__(self, field, array)
-        mistakes = _shape_mistakes(self) or _content_mistakes(self)
-        if mistakes:
+        given = {"slip_angles": "rad", "loads": "N", "forces": "N"}
+        alpha, Fz, F = (
+            finite(f"{key} of tire data {self.name!r}", getattr(self, key), unit)
+            for key, unit in given.items()
+        )
+        if F.ndim == 2 and F.shape == (alpha.size, Fz.size):
+            alpha, Fz = (x.ravel() for x in np.meshgrid(alpha, Fz, indexing="ij"))
+            F = F.ravel()
+        if not (alpha.ndim == 1 and alpha.shape == Fz.shape == F.shape):
+            raise GroundrollError(
+                f"tire data {self.name!r}: forces must be as many as slip angles and loads, or a"
+                f" table of slip angles by loads, but shapes are"
+                f" {', '.join(str(np.shape(getattr(self, key))) for key in given)}"
+            )
+        Fz, F, notes = _in_the_thesiss_signs(alpha, Fz, F)
+        if mistakes := _mistakes(alpha, Fz, F):
             raise GroundrollError(listed(f"tire data {self.name!r}", mistakes))
+        order = np.lexsort((alpha, Fz))
+        for key, array in zip(given, (alpha, Fz, F), strict=True):
+            values = array[order]
+            values.setflags(write=False)
+            object.__setattr__(self, key, values)
+        object.__setattr__(self, "notes", (*self.notes, *notes))
 
     @classmethod
     def load(cls, name: str | Path) -> TireData:
-        """Read packaged tire data by name, or a CSV file by path.
+        """Read packaged tire data by name, or a file by path.
 
         Parameters
         ----------
         name : str or Path
-            ``"goodyear-6.00-6"`` (Table 3.1 of the thesis), or the path of a ``.csv`` file:
-            comment lines begin with ``#``, the header is ``slip_angle_deg`` and the loads,
-            each row is a slip angle in degrees and the forces. Loads may have one unit, which is
-            that of the forces too (``400 lbf``); bare ones are in N.
+            ``"goodyear-6.00-6"`` (Table 3.1 of the thesis), or the path of a ``.csv`` file (see
+            `groundroll.tire_table`) or of a ``.tir`` file (see `groundroll.tir_file`).
 
         Raises
         ------
@@ -69,164 +93,76 @@ class TireData:
             If there is no such data or file, or if the file has mistakes: all of them are
             listed, each with its line.
         """
+        from . import tir_file, tire_table
+        from .aircraft_file import packaged_files
+
         path = as_path(name)
-        if path.suffix != ".csv":
-            packaged, where = _packaged(), "the packaged ones (a file ends in .csv)"
+        if path.suffix.lower() == ".tir":
+            return tir_file.read(path)
+        if path.suffix.lower() not in (".csv", ".txt", ".tsv", ".dat"):
+            packaged = packaged_files(".csv")
+            where = "the packaged ones (a file ends in .csv or .tir)"
             path = packaged[one_of("tire data", str(name), packaged, where)]
-        table = _table(text_of(path, most=2**20), path)
-        try:
-            return cls(path.stem, np.radians(table[1:, 0]), table[0, 1:], table[1:, 1:])
-        except GroundrollError as problem:
-            raise GroundrollError(f"{path}: {problem}") from None
+        return tire_table.read(path)
 
-    def coefficients(self) -> tuple[FloatArray, FloatArray]:
-        """Cornering and friction coefficient at each load (Eqs. 3.2, 3.4).
-
-        Returns
-        -------
-        C_c : ndarray, shape (k,)
-            Secant at 1 deg over the load, 1/rad.
-        mu : ndarray, shape (k,)
-            Largest measured force over the load.
-        """
-        secant = int(_secant_rows(self)[0])
-        arguments = {
-            "alpha": np.asarray(self.slip_angles[secant]),
-            "F_y": self.forces[secant],
-            "F_peak": self.forces.max(axis=0),
-            "Fz": self.loads,
-        }
-        found = elementwise("measured_coefficients", arguments)
-        return found["C_c"], found["mu"]
-
-    def normalised(self) -> tuple[FloatArray, FloatArray]:
-        """Normalised slip angles and forces (Eqs. 3.6, 3.7), shape (n, k) each.
-
-        Each load is normalised with its own measured coefficients, not with the straight lines.
-        """
-        C_c, mu = self.coefficients()
-        arguments = {
-            "alpha": self.slip_angles[:, None],
-            "F_y": self.forces,
-            "Fz": self.loads,
-            "C_c": C_c,
-            "mu": mu,
-        }
-        found = elementwise("normalised_data", arguments)
-        return found["alpha_bar"], found["F_bar"]
+    @cached_property
+    def curves(self) -> tuple[Curve, ...]:
+        """The points by load; loads within 5 % of each other are one, their mean."""
+        breaks = np.flatnonzero(np.diff(self.loads) > _SAME_LOAD * self.loads[1:]) + 1
+        curves = []
+        for part in np.split(np.arange(self.loads.size), breaks):
+            part = part[np.argsort(self.slip_angles[part], kind="stable")]
+            load = float(self.loads[part].mean())
+            each = (self.slip_angles[part], self.forces[part], self.loads[part])
+            curves.append(Curve(load, *each))
+        return tuple(curves)
 
     def __repr__(self) -> str:
-        angles, loads = np.degrees(self.slip_angles), self.loads
+        angles = np.degrees(self.slip_angles)
+        loads = [curve.load for curve in self.curves]
+        what = f"{len(loads)} loads {loads[0]:g} to" if len(loads) > 1 else "1 load"
         return (
-            f"TireData {self.name!r}: {angles.size} slip angles {angles[0]:g} to {angles[-1]:g}"
-            f" deg, {loads.size} loads {loads[0]:g} to {loads[-1]:g} N"
+            f"TireData {self.name!r}: {angles.size} points from {angles.min():g} to"
+            f" {angles.max():g} deg, {what} {loads[-1]:g} N"
         )
 
 
-def _packaged() -> dict[str, Path]:
-    folder = resources.files("groundroll") / "fleet"
-    files = sorted(Path(str(p)) for p in folder.iterdir() if p.name.endswith(".csv"))
-    return {p.stem: p for p in files}
+def _in_the_thesiss_signs(
+    alpha: FloatArray, Fz: FloatArray, F: FloatArray
+) -> tuple[FloatArray, FloatArray, list[str]]:
+    """Loads and forces positive, the forces for positive slip angles; and what had to be turned."""
+    notes = []
+    if Fz.size and (Fz < 0).all():
+        Fz = -Fz
+        notes.append("loads are negative in the file, and taken without their sign")
+    if (F - np.median(F)) @ alpha < 0 and F @ alpha < 0:
+        F = -F
+        notes.append("forces have the sign opposite to that of the slip angles, and are turned")
+    return Fz, F, notes
 
 
-def _table(text: str, path: Path) -> FloatArray:
-    """A CSV file in degrees and N, its header as the first row with NaN in the corner."""
-    lines = [
-        (number, [cell.strip() for cell in line.split(",")])
-        for number, line in enumerate(text.splitlines(), start=1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
-    if len(lines) < 2:
-        raise GroundrollError(f"{path} has no data: a header and rows of numbers are needed")
-    (number, header), body = lines[0], lines[1:]
+def _mistakes(alpha: FloatArray, Fz: FloatArray, F: FloatArray) -> list[str]:
     mistakes = []
-    if header[0] != "slip_angle_deg":
+    different = np.unique(np.round(np.abs(np.degrees(alpha)), 6))
+    count = int((different > 0).sum())
+    if count < _FEWEST:
         mistakes.append(
-            f"line {number}: the header must be slip_angle_deg and the loads, such as"
-            " slip_angle_deg,400 lbf,800 lbf (bare loads are in N), but begins with"
-            f" {shown(header[0])}"
+            f"at least {_FEWEST} different slip angles beside zero are needed, not {count}"
         )
-    loads, newtons = _loads(header[1:], number, mistakes)
-    table = [[float("nan"), *_numbers(loads, number, 2, mistakes)]]
-    for number, cells in body:
-        if len(cells) != len(header):
-            mistakes.append(
-                f"line {number}: {len(cells)} columns, but the header has {len(header)}"
-            )
-        table.append(_numbers(cells, number, 1, mistakes))
+    if alpha.size and np.abs(alpha).max() >= np.pi / 2:
+        largest = np.degrees(np.abs(alpha)).max()
+        mistakes.append(f"slip angles must be below 90 deg, but there is {largest:g} deg")
+    if (Fz <= 0).any():
+        mistakes.append(f"loads must be positive, but there is {Fz.min():g} N")
     if mistakes:
-        raise GroundrollError(listed(str(path), mistakes))
-    in_newtons = np.array(table)
-    in_newtons[0, 1:] *= newtons
-    in_newtons[1:, 1:] *= newtons
-    return in_newtons
-
-
-def _loads(cells: Sequence[str], line: int, mistakes: list[str]) -> tuple[list[str], float]:
-    """The loads of a header without their unit, and how many N it is."""
-    parts = [cell.partition(" ") for cell in cells]
-    numbers, units = [number for number, _, _ in parts], {unit.strip() for _, _, unit in parts}
-    if len(units) > 1:
-        given = " and ".join(sorted(unit or "none" for unit in units))
-        mistakes.append(f"line {line}: all loads must have one unit, but there is {given}")
-        return numbers, 1.0
-    try:
-        return numbers, to_si(f"1 {''.join(units)}", "N", f"line {line}")
-    except UnitError as problem:
-        mistakes.append(str(problem))
-        return numbers, 1.0
-
-
-def _numbers(cells: Sequence[str], line: int, first: int, mistakes: list[str]) -> list[float]:
-    """Finite numbers of a line; for each cell that is none, a mistake."""
-    values = []
-    for column, cell in enumerate(cells, start=first):
-        try:
-            value = float(cell)
-        except ValueError:
-            value = float("nan")
-        if not math.isfinite(value):
-            mistakes.append(f"line {line}, column {column}: {shown(cell)} is not a finite number")
-        values.append(value)
-    return values
-
-
-def _shape_mistakes(data: TireData) -> list[str]:
-    expected = (data.slip_angles.size, data.loads.size)
-    if data.slip_angles.ndim != 1 or data.loads.ndim != 1 or data.forces.shape != expected:
+        return mistakes
+    if F @ alpha <= 0:
+        return ["forces do not grow with the slip angle"]
+    low, high = _FRICTION
+    friction = float(np.abs(F / Fz).max())
+    if not low <= friction <= high:
         return [
-            f"forces must be slip angles by loads, but shapes are {data.slip_angles.shape},"
-            f" {data.loads.shape} and {data.forces.shape}"
+            f"the largest force is {friction:.3g} times its load, and a tire has {low:g} to"
+            f" {high:g}: are the units of loads and forces those that are named?"
         ]
-    mistakes = []
-    if data.slip_angles.size < _FEWEST_ANGLES:
-        given = data.slip_angles.size
-        mistakes.append(f"at least {_FEWEST_ANGLES} slip angles are needed, not {given}")
-    if data.loads.size < _FEWEST_LOADS:
-        given = data.loads.size
-        mistakes.append(f"at least {_FEWEST_LOADS} loads are needed for a line, not {given}")
-    return mistakes
-
-
-def _content_mistakes(data: TireData) -> list[str]:
-    mistakes = []
-    degrees = np.degrees(data.slip_angles)
-    for what, values, unit in (("slip angles", degrees, "deg"), ("loads", data.loads, "N")):
-        for k in np.flatnonzero(np.diff(values) <= 0):
-            pair = f"{values[k + 1]:g} {unit} follows {values[k]:g} {unit}"
-            mistakes.append(f"{what} must increase, but {pair}")
-    if degrees[0] < 0 or degrees[-1] >= 90:
-        mistakes.append("slip angles must be from 0 to below 90 deg")
-    if data.loads[0] <= 0:
-        mistakes.append(f"loads must be positive, but there is {data.loads[0]:g} N")
-    rows = _secant_rows(data)
-    if rows.size == 0:
-        mistakes.append("no slip angle is 1 deg, where Eq. 3.2 takes the cornering coefficient")
-    elif (data.forces[rows] <= 0).any():
-        mistakes.append("forces at 1 deg must be positive (forces and slip angles have one sign)")
-    return mistakes
-
-
-def _secant_rows(data: TireData) -> npt.NDArray[np.intp]:
-    """Where the slip angle is 1 deg."""
-    return np.flatnonzero(np.isclose(data.slip_angles, _SECANT, rtol=1e-9, atol=0.0))
+    return []

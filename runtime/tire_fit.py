@@ -1,42 +1,28 @@
-"""From measured tire forces to the parameters of the non-linear tire (Section 3.4)."""
+"""From measured tire forces to the parameters of the non-linear tire."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import casadi as ca
 import numpy as np
 
-from .arrays import FloatArray, finite
-from .errors import GroundrollError
-from .evaluate import solved
+from .arrays import FloatArray
+from .evaluate import elementwise
 from .names import QUANTITIES
-from .tire_data import TireData
-from .tire_quality import LINES, MAGIC, conditioning, force_rms, normalised_rms, residual
+from .tire_data import Curve, TireData
+from .tire_search import Search
 
-#: From where the thesis searched: x0 of MAGICFIT.m, App. A.1.
-THESIS_START = (0.7407, 1.35, 1.00, -0.51)
+#: The parameters of a tire.
+PARAMETERS = ("B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1")
 
-#: The search stays where no slip angle makes the force reverse: with E1 <= 1 psi_bar never
-#: turns back, and with C1 <= 2 the sine never passes half a turn.
-_LOWEST = (1e-6, 1e-6, 1e-6, -np.inf)
-_HIGHEST = (np.inf, 2.0, np.inf, 1.0)
-
-_QUIET: dict[str, Any] = {
-    "print_time": False,
-    "error_on_fail": False,
-    "ipopt": {
-        "print_level": 0,
-        "sb": "yes",
-        "tol": 1e-12,
-        "acceptable_iter": 0,  # a point short of the minimum is a failure
-        "mu_init": 1e-10,  # the usual barrier, 0.1, is so high here that the start is forgotten
-        "bound_relax_factor": 0.0,
-    },
-}
+#: Share of a force from which a peak beyond the data is worth telling.
+_BEYOND = 0.02
+#: Share of friction from which an offset or a difference between the halves is worth telling.
+_WORTH = 0.005
+#: Error, as a share of friction, above which the tire is not like the formula.
+_POOR = 0.03
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -48,124 +34,167 @@ class TireFit:
     data : TireData
         What was fitted.
     parameters : mapping of str to float
-        By symbol (B3, C3, B5, C5, B1, C1, D1, E1), SI units with radians: what
-        ``plane.replace(**fit.parameters)`` takes.
-    cornering_coefficients, friction_coefficients : ndarray, shape (k,)
-        Measured, at each load: 1/rad and 1.
-    alpha_bar, F_bar : ndarray, shape (n, k)
-        The normalised data.
+        By symbol, SI units with radians: what ``plane.replace(**fit.parameters)`` takes. The
+        lines of the cornering coefficient (B3, C3) and of friction (B5, C5) over load, the magic
+        formula (B1, C1, D1, E1), scaled so that the cornering coefficient is the slope at zero
+        slip and friction the largest force, each over load; and what was measured (Fz_low,
+        Fz_high, alpha_high).
+    offsets : mapping of float to float
+        Force at zero slip by load, N: conicity and ply steer, which are left out of the tire.
     rms : float
-        Root mean square error of the magic formula, normalised.
+        Root mean square error as a share of friction times load.
     force_rms : float
-        Root mean square error of the whole tire, with the straight lines, N.
-    conditioning : float
-        See `conditioning`.
-    at_edge : tuple of str
-        Which parameters of the magic formula lie on the edge of the search, where the minimum
-        is none of the free function; empty for a proper minimum.
+        Root mean square error, N.
+    notes : tuple of str
+        What was understood, found and assumed.
     """
 
     data: TireData
     parameters: Mapping[str, float]
-    cornering_coefficients: FloatArray
-    friction_coefficients: FloatArray
-    alpha_bar: FloatArray
-    F_bar: FloatArray
+    offsets: Mapping[float, float]
     rms: float
     force_rms: float
-    conditioning: float
-    at_edge: tuple[str, ...]
+    notes: tuple[str, ...]
 
     def __repr__(self) -> str:
         lines = [f"TireFit of {self.data.name!r}"]
         for s, value in self.parameters.items():
             q = QUANTITIES[s]
-            lines.append(f"  {s}{value:>14.6g} {q.unit:<10} {q.name}")
-        lines += [
-            f"  rms {self.rms:.5f} normalised, {self.force_rms:.1f} N",
-            f"  conditioning {self.conditioning:.1e}",
-            *(f"  {s} is on the edge of the search: no proper minimum" for s in self.at_edge),
-        ]
-        return "\n".join(lines)
+            lines.append(f"  {s:<10}{value:>14.6g} {q.unit:<10} {q.name}")
+        lines.append(f"  rms {self.rms:.5f} of friction, {self.force_rms:.1f} N")
+        return "\n".join([*lines, *(f"  {note}" for note in self.notes)])
 
 
-def fit_tire(
-    data: TireData | str | Path = "goodyear-6.00-6", start: Sequence[float] = THESIS_START
-) -> TireFit:
-    """Fit the non-linear tire to measured forces, as Section 3.4 does.
+def fit_tire(data: TireData | str | Path = "goodyear-6.00-6") -> TireFit:
+    """Fit the non-linear tire to measured forces.
 
-    Coefficients at each load, their straight lines by least squares, and the magic formula by
-    least squares on the normalised data (IPOPT with exact derivatives). The search keeps
-    B1, D1 > 0, 0 < C1 <= 2 and E1 <= 1, where the force cannot reverse at any slip angle.
-    Beyond E1 = 1 lies a valley without a minimum (C1 to 0, D1 to infinity), which fits the
-    thesis's data 7 % better and is worthless beyond them; Table 3.2 is a point in it. The
-    search is local: on the thesis's data it ends, nine starts out of ten, in one and the same
-    minimum, otherwise in a worse one on the edge, E1 = 1 (so does Table 3.2 as a start).
+    Least squares of the forces over all points at once (IPOPT with exact derivatives). The force
+    at zero slip is an offset and left out of the tire. The slope at zero is not below the measured
+    secant of any curve that bends down from the start. Where the data leave a choice (a peak that
+    lies beyond them, one load) what is likely of a tire decides, with the weight of single points
+    of 1 % error; the notes tell it.
 
     Parameters
     ----------
     data : TireData or str or Path
         Measured forces, or what `TireData.load` takes.
-    start : sequence of 4 floats
-        B1, C1, D1, E1 from where to search; default the thesis's own.
 
     Returns
     -------
     TireFit
-        The parameters and how well they fit.
+        The parameters, how well they fit, and what is to be known of them.
 
     Raises
     ------
     GroundrollError
-        If the search finds no minimum.
+        If the data cannot be read, or are not enough.
     """
     data = data if isinstance(data, TireData) else TireData.load(data)
-    C_c, mu = data.coefficients()
-    alpha_bar, F_bar = data.normalised()
-    B3, C3 = _straight_line(data.loads, C_c)
-    B5, C5 = _straight_line(data.loads, mu)
-    magic = _least_squares(alpha_bar, F_bar, start, data.name)
-    values = (B3, C3, B5, C5, *magic)
-    parameters = dict(zip((*LINES, *MAGIC), values, strict=True))
+    search = Search(data.curves)
+    found = search.best()
+    parameters = {s: float(found[s][0]) for s in PARAMETERS}
+    parameters |= dict(zip(("Fz_low", "Fz_high"), search.loads, strict=True))
+    parameters["alpha_high"] = float(np.abs(data.slip_angles).max())
+    loads = np.concatenate([curve.loads for curve in data.curves])
+    friction = _at(parameters, np.zeros_like(loads), loads)["mu"]
+    shifts = zip(data.curves, found["S"], search.has_offset, strict=True)
+    offsets = {curve.load: float(S) for curve, S, has in shifts if has}
     return TireFit(
         data=data,
         parameters=parameters,
-        cornering_coefficients=C_c,
-        friction_coefficients=mu,
-        alpha_bar=alpha_bar,
-        F_bar=F_bar,
-        rms=normalised_rms(data, parameters),
-        force_rms=force_rms(data, parameters),
-        conditioning=conditioning(data, parameters),
-        at_edge=_at_edge(magic),
+        offsets=offsets,
+        rms=_rms(found["errors"] / friction),
+        force_rms=_rms(found["errors"] * loads),
+        notes=(
+            *data.notes,
+            *_on_offsets(data.curves, parameters, offsets),
+            *_on_the_peak(data.curves, parameters),
+            *_on_loads(search),
+            *_on_the_fit(_rms(found["errors"] / friction)),
+        ),
     )
 
 
-def _straight_line(x: FloatArray, y: FloatArray) -> tuple[float, float]:
-    """Intercept and slope of the least-squares line."""
-    slope, intercept = np.polyfit(x, y, 1)
-    return float(intercept), float(slope)
+def _at(
+    parameters: Mapping[str, float], alpha: FloatArray, Fz: FloatArray
+) -> dict[str, FloatArray]:
+    values = {s: np.asarray(value) for s, value in parameters.items()}
+    return elementwise("tire_force", {**values, "alpha": alpha, "Fz": Fz})
 
 
-def _least_squares(
-    alpha_bar: FloatArray, F_bar: FloatArray, start: Sequence[float], name: str
-) -> list[float]:
-    """B1, C1, D1, E1 at the minimum of the sum of squares."""
-    x0 = finite("start", start)
-    if x0.shape != (len(MAGIC),):
-        raise GroundrollError(f"start must be {', '.join(MAGIC)}: 4 numbers, not {start!r}")
-    errors, x = residual(alpha_bar, F_bar)
-    solver = ca.nlpsol("magic_fit", "ipopt", {"x": x, "f": ca.sumsqr(errors)}, _QUIET)
-    solution = solved(solver, x0=x0, lbx=list(_LOWEST), ubx=list(_HIGHEST))
-    if not solver.stats()["success"]:
-        raise GroundrollError(
-            f"tire data {name!r}: the magic formula fit found no minimum from start"
-            f" {tuple(map(float, x0))} (IPOPT: {solver.stats()['return_status']}); try another"
-            " start, and check that the forces level off within the measured slip angles"
+def _rms(errors: FloatArray) -> float:
+    return float(np.sqrt(np.mean(errors**2)))
+
+
+def _on_offsets(
+    curves: tuple[Curve, ...], parameters: Mapping[str, float], offsets: Mapping[float, float]
+) -> Iterator[str]:
+    """What the curves do at zero slip, and whether their halves agree."""
+    told = [curve for curve in curves if curve.load in offsets]
+    friction = {c.load: c.load * _friction(parameters, c.load) for c in told}
+    large = [c.load for c in told if abs(offsets[c.load]) > _WORTH * friction[c.load]]
+    if large:
+        yield (
+            f"an offset of {_range([offsets[load] for load in large], 'N')} at zero slip, at"
+            f" {_range(large, 'N')} of load, is left out of the tire"
         )
-    return [float(value) for value in np.array(solution["x"]).ravel()]
+    halves = [c for c in told if (c.slip_angles < 0).any() and (c.slip_angles > 0).any()]
+    if halves:
+        apart = max(_halves_apart(c, offsets[c.load]) / friction[c.load] for c in halves)
+        yield (
+            f"forces to the left and to the right differ by {100 * apart:.1f} % of the friction"
+            " force (rms) or less"
+        )
 
 
-def _at_edge(magic: Sequence[float]) -> tuple[str, ...]:
-    near = np.isclose(magic, _LOWEST, atol=1e-6) | np.isclose(magic, _HIGHEST, atol=1e-6)
-    return tuple(s for s, there in zip(MAGIC, near, strict=True) if there)
+def _halves_apart(curve: Curve, S: float) -> float:
+    """Root mean square difference of the two halves of a curve where they overlap, N."""
+    alpha, F = curve.slip_angles, curve.forces - S
+    right, left = alpha > 0, alpha < 0
+    mirrored, there = -alpha[left][::-1], -F[left][::-1]
+    common = (alpha >= mirrored[0]) & (alpha <= mirrored[-1]) & right
+    if not common.any():
+        return 0.0
+    return _rms(F[common] - np.interp(alpha[common], mirrored, there))
+
+
+def _on_the_peak(curves: tuple[Curve, ...], parameters: Mapping[str, float]) -> Iterator[str]:
+    """Whether the largest force lies beyond what was measured."""
+    beyond = []
+    for curve in curves:
+        last = float(np.abs(curve.slip_angles).max())
+        found = _at(parameters, np.array([last]), np.array([curve.load]))
+        friction, reached = float(found["mu"][0]), float(found["F_y"][0]) / curve.load
+        if reached < (1 - _BEYOND) * friction:
+            beyond.append((curve.load, friction, np.degrees(last), reached))
+    if beyond:
+        loads, frictions, ends, there = zip(*beyond, strict=True)
+        yield (
+            f"the largest friction, {_range(frictions)} at {_range(loads, 'N')} of load, is"
+            f" extrapolated: at {_range(ends, 'deg')}, where the data end, it is {_range(there)}"
+        )
+
+
+def _on_loads(search: Search) -> Iterator[str]:
+    if search.has_one_load:
+        yield (
+            "how the tire changes with load is unknown: it was measured at"
+            f" {_range(search.loads)} N only, and its coefficients there are taken for every load"
+        )
+
+
+def _on_the_fit(rms: float) -> Iterator[str]:
+    if rms > _POOR:
+        yield f"the formula misses the data by {100 * rms:.0f} % of the friction force (rms)"
+
+
+def _friction(parameters: Mapping[str, float], load: float) -> float:
+    return float(_at(parameters, np.zeros(1), np.array([load]))["mu"][0])
+
+
+def _range(values: Sequence[float], unit: str = "") -> str:
+    """One value, or the first and the last of different ones."""
+    first, last = (
+        f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}" for value in (values[0], values[-1])
+    )
+    return f"{first} {unit}".strip() if first == last else f"{first} to {last} {unit}".strip()

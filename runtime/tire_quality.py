@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-import casadi as ca
 import numpy as np
 
 from .arrays import FloatArray, finite
@@ -27,34 +26,16 @@ class ParameterSet(Protocol):
     def __getitem__(self, symbol: str, /) -> Any: ...
 
 
-def normalised_rms(data: TireData, parameters: ParameterSet) -> float:
-    """Root mean square error of a magic formula on the normalised data.
-
-    The points at zero slip, which every parameter set meets, are not counted; with one for each
-    load the thesis's data give 0.0104 instead of 0.0107.
-    """
-    alpha_bar, F_bar = data.normalised()
-    arguments = {"alpha_bar": alpha_bar, **_values(parameters, MAGIC)}
-    return _rms(elementwise("magic_formula", arguments)["F_bar"] - F_bar)
-
-
 def force_rms(data: TireData, parameters: ParameterSet) -> float:
     """Root mean square error of the reconstructed forces (Fig. 3.7), N."""
-    return _rms(_forces(parameters, data.slip_angles[:, None], data.loads) - data.forces)
+    return _rms(_forces(parameters, data.slip_angles, data.loads) - data.forces)
 
 
-def conditioning(data: TireData, parameters: ParameterSet) -> float:
-    """Condition number of the Gauss-Newton matrix of the magic formula fit.
-
-    Each parameter is scaled so that the diagonal is one: 1 where every parameter leaves a mark
-    of its own on the data, infinite where some change of all four leaves none.
-    """
-    errors, x = residual(*data.normalised())
-    jacobian = ca.Function("jacobian", [x], [ca.jacobian(errors, x)])
-    x0 = [float(value) for value in _values(parameters, MAGIC).values()]
-    J = np.array(jacobian(x0), dtype=np.float64)
-    scale = np.linalg.norm(J, axis=0)
-    return float(np.linalg.cond(J / scale) ** 2) if scale.all() else float("inf")
+def slope_at_zero(parameters: ParameterSet, load: float) -> float:
+    """Slope of the force at zero slip, N/rad: what the linear tire has to be."""
+    names = [s for s in build("tire_slope").name_in() if s != "Fz"]
+    arguments = {"Fz": np.asarray(load), **_values(parameters, names)}
+    return float(elementwise("tire_slope", arguments)["F_slope"])
 
 
 @dataclass(frozen=True)
@@ -63,8 +44,10 @@ class Quality:
 
     Attributes
     ----------
-    rms, force_rms, conditioning : float
-        As in `TireFit`.
+    force_rms : float
+        Root mean square error on the data, N.
+    slope : float
+        Slope of the force at zero slip, N/rad.
     peak_slip_angle : float
         Slip angle of the largest force, rad.
     peak_force : float
@@ -75,9 +58,8 @@ class Quality:
         Slip angle from which the force has the wrong sign, rad; NaN if it never has.
     """
 
-    rms: float
     force_rms: float
-    conditioning: float
+    slope: float
     peak_slip_angle: float
     peak_force: float
     sideways_share: float
@@ -110,12 +92,12 @@ class Comparison:
         lines = [
             f"Tire parameters against {self.data.name!r}; peak, 90 deg and reversal at"
             f" {self.load:g} N",
-            f"  {'':<{width}}     rms  force rms  conditioning        peak  at 90 deg  reverses at",
+            f"  {'':<{width}}  force rms     slope at zero        peak  at 90 deg  reverses at",
         ]
         for name, q in self.rows.items():
             reversal = "never" if np.isnan(q.reversal) else f"{np.degrees(q.reversal):.1f} deg"
             lines.append(
-                f"  {name:<{width}}  {q.rms:.4f}  {q.force_rms:>7.1f} N  {q.conditioning:>12.1e}"
+                f"  {name:<{width}}  {q.force_rms:>7.1f} N  {np.radians(q.slope):>9.1f} N/deg"
                 f"  {np.degrees(q.peak_slip_angle):>6.1f} deg  {q.sideways_share:>9.0%}"
                 f"  {reversal:>11}"
             )
@@ -156,9 +138,8 @@ def _quality(data: TireData, name: str, parameters: ParameterSet, load: float) -
         raise GroundrollError(f"parameter set {name!r} gives no force at a load of {load:g} N")
     wrong = np.flatnonzero(forces < 0)
     return Quality(
-        rms=normalised_rms(data, parameters),
         force_rms=force_rms(data, parameters),
-        conditioning=conditioning(data, parameters),
+        slope=slope_at_zero(parameters, load),
         peak_slip_angle=float(angles[peak]),
         peak_force=float(forces[peak]),
         sideways_share=float(forces[-1] / forces[peak]),
@@ -181,10 +162,3 @@ def _values(parameters: ParameterSet, symbols: Sequence[str]) -> dict[str, Float
 
 def _rms(errors: FloatArray) -> float:
     return float(np.sqrt(np.mean(errors**2)))
-
-
-def residual(alpha_bar: FloatArray, F_bar: FloatArray) -> tuple[ca.SX, ca.SX]:
-    """Errors of the magic formula at the data as an expression of B1, C1, D1, E1."""
-    x = ca.SX.sym("x", len(MAGIC))
-    predicted = build("magic_formula")(alpha_bar.reshape(1, -1), *ca.vertsplit(x))
-    return (predicted - F_bar.reshape(1, -1)).T, x

@@ -418,13 +418,13 @@ def test_fit_tire_reads_a_file(run, tmp_path: Path):
     )
 
 
-def test_fit_tire_tells_of_a_fit_on_the_edge_of_the_search(run, tmp_path: Path):
+def test_fit_tire_tells_of_a_peak_beyond_the_data(run, tmp_path: Path):
     rows = [(1, 31, 41), (2, 60, 80), (4, 115, 155), (6, 165, 225), (10, 235, 330), (15, 280, 400)]
     lines = ["slip_angle_deg, 400 lbf, 600 lbf", *(",".join(map(str, row)) for row in rows)]
     (tmp_path / "ply.csv").write_text("\n".join(lines), encoding="utf-8")
-    assert "C1 is at the end of what is possible" in run("fit-tire", "ply.csv").out
-    assert json.loads(run("fit-tire", "ply.csv", "--format", "json").out)["at_edge"] == ["C1"]
-    assert "at the end" not in run("fit-tire").out
+    assert "of friction" in run("fit-tire", "ply.csv").out
+    told = "the largest friction, 0.778 to 0.747 at 1779 to 2669 N of load, is extrapolated"
+    assert json.loads(run("fit-tire", "ply.csv", "--format", "json").out)["notes"][0] == told
 
 
 def test_info_names_what_is_there(run):

@@ -24,8 +24,9 @@ from groundroll.evaluate import elementwise
 from groundroll.names import DIGEST
 from groundroll.study import cases, figures, ledger, output, report, sources
 from groundroll.study.cases import case
+from groundroll.study.thesis_tire import normalised_rms
 from groundroll.tire_data import TireData
-from groundroll.tire_quality import compare, force_rms, normalised_rms
+from groundroll.tire_quality import compare, force_rms
 
 FIGURES = [f"3.{k}" for k in range(3, 9)] + [f"4.{k}" for k in range(5, 43)]
 TABLES = ["3.2", *(f"4.{k}" for k in range(1, 12))]
@@ -242,7 +243,7 @@ def test_evidence_on_the_tire():
     fit = cases.tire_fit()
     assert force_rms(data, printed) == pytest.approx(27, abs=0.5)  # 1
     assert force_rms(data, program) == pytest.approx(932, abs=0.5)
-    assert normalised_rms(data, printed) == pytest.approx(0.0131, abs=5e-5)  # 5
+    assert normalised_rms(fit.table, printed) == pytest.approx(0.0131, abs=5e-5)  # 5
     assert fit.rms == pytest.approx(0.0107, abs=5e-5)
     quality = compare(data, {"printed": printed})["printed"]
     assert math.degrees(quality.peak_slip_angle) == pytest.approx(25, abs=1)
@@ -255,8 +256,8 @@ def test_evidence_on_the_tire():
 
 def test_evidence_on_the_straight_lines():
     fit, pounds = cases.tire_fit(), cases.tire_fit_in_pounds()
-    assert np.array_equal(np.round(pounds.data.forces), fit.data.forces)
-    assert np.array_equal(np.round(pounds.data.loads), fit.data.loads)
+    assert np.array_equal(np.round(pounds.table.forces), fit.table.forces)
+    assert np.array_equal(np.round(pounds.table.loads), fit.table.loads)
     assert math.radians(pounds.parameters["B3"]) == pytest.approx(0.2117, abs=1e-9)
     assert pounds.parameters["B5"] == pytest.approx(0.7221, abs=1e-9)
     assert math.radians(pounds.parameters["C3"]) == pytest.approx(-2.2781e-5, abs=1e-9)

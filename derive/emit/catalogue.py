@@ -18,7 +18,14 @@ from groundroll.derive.models.nonlinear import nonlinear
 from groundroll.derive.parts import tires
 from groundroll.derive.parts.quantities import B1, C1, D1, E1, PARAMETERS, Fz, d_tire, w_tire
 from groundroll.derive.parts.thesis import alpha
-from groundroll.derive.theory import kick, loads, placement, stability_sections, tire_size
+from groundroll.derive.theory import (
+    kick,
+    loads,
+    mf_lateral,
+    placement,
+    stability_sections,
+    tire_size,
+)
 
 from .casadi_source import Argument, CasadiPrinter, FunctionSpec, Result, cancel_tangents
 from .equilibrium_functions import equilibrium_module
@@ -139,6 +146,7 @@ def _aircraft() -> Pack:
             Section("Loads with a nose wheel", loads.nose_wheel_loads(), _NOSE_WHEEL),
             Section("A main tire from its size and pressure", tire_size.main_tire(), _SIZE),
             Section("A tail wheel's tire from its size and pressure", tire_size.tail_tire()),
+            Section("A tire of a .tir file", mf_lateral.lateral_force(), _MF),
             Section("A kick", kick.kick(), _KICK),
             *(Section(*section) for section in placement.sections()),
         ),
@@ -267,6 +275,13 @@ def _tire_module() -> Module:
                 tires.magic_formula_of_shape(),
             ),
             scalar_function(
+                "mf_lateral",
+                "Lateral force by the coefficients of a .tir file, in the axes of the file.",
+                mf_lateral.ARGUMENTS,
+                (mf_lateral.F_mf,),
+                mf_lateral.lateral_force(),
+            ),
+            scalar_function(
                 "outside_diameter",
                 "Outside diameter of a tire from its width and its rim.",
                 (tire_size.d_rim, w_tire),
@@ -365,4 +380,5 @@ _SIZE = (
     "Smiley and Horne, NASA TR R-64 (1960), from memory: estimates for an aircraft whose tires"
     " nobody has measured."
 )
+_MF = "Pacejka, Tire and Vehicle Dynamics, 3rd edition, pure lateral slip without camber."
 _KICK = "A side impulse changes the motion before any tire can answer."

@@ -9,7 +9,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from . import options
-from .output import Output, emit, filled, number, shown, table
+from .output import Output, emit, number, paragraph, shown, table
 from .progress import bar
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class _TireData(options.ParamType):
-    """A packaged tire table by name, or a CSV file."""
+    """A packaged tire table by name, or a file."""
 
     name = "data"
 
@@ -34,7 +34,9 @@ class _TireData(options.ParamType):
 @click.argument("data", type=_TireData(), default="goodyear-6.00-6")
 @options.output
 def command(data: str, form: str, out: Path | None) -> None:
-    """Fit the non-linear tire to measured forces: a CSV file, or a packaged table by name.
+    """Fit the non-linear tire to measured forces: a CSV or .tir file, or a packaged table by name.
+
+    A CSV file is a table of slip angles by loads, or has a point (angle, load, force) in each line.
 
     An aircraft file can name the table itself: table = "file.csv" in [main_tires].
     """
@@ -50,21 +52,11 @@ def _text(fit: TireFit) -> str:
     for symbol, name, value, unit in _rows(fit)[1:]:
         shown_value, shown_unit = shown(value, str(unit))
         rows.append([str(name), str(symbol), number(shown_value), shown_unit])
-    loads = fit.data.loads
-    edge = [
-        f"{symbol} is at the end of what is possible: the best fit would lie beyond. Do the forces"
-        " level off within the measured slip angles?"
-        for symbol in fit.at_edge
-    ]
-    return "\n\n".join(
-        (
-            f"{fit.data.name}: {fit.data.slip_angles.size} slip angles, {loads.size} loads from"
-            f" {number(loads[0])} to {number(loads[-1])} N",
-            table(["parameter", "symbol", "value", "unit"], rows, right=(2,)),
-            f"Root mean square error: {fit.force_rms:.1f} N; of the normalised force {fit.rms:.4f}",
-            *map(filled, edge),
-        )
-    )
+    notes = "\n".join(["Worth knowing", *map(paragraph, fit.notes)]) if fit.notes else ""
+    error = f"Root mean square error: {fit.force_rms:.1f} N, {100 * fit.rms:.2g} % of friction"
+    head = f"{fit.data.name}: {fit.data!r}".replace(f"TireData {fit.data.name!r}: ", "")
+    parameters = table(["parameter", "symbol", "value", "unit"], rows, right=(2,))
+    return "\n\n".join(filter(None, (head, parameters, error, notes)))
 
 
 def _rows(fit: TireFit) -> list[list[Any]]:
@@ -82,8 +74,8 @@ def _data(fit: TireFit) -> dict[str, Any]:
     return {
         "data": fit.data.name,
         "parameters": [dict(zip(header, row, strict=True)) for row in rows],
+        "offsets": [{"load": load, "force": force} for load, force in fit.offsets.items()],
         "force_rms": fit.force_rms,
         "rms": fit.rms,
-        "conditioning": fit.conditioning,
-        "at_edge": fit.at_edge,
+        "notes": list(fit.notes),
     }

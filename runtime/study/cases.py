@@ -12,10 +12,9 @@ from groundroll.aircraft import Aircraft
 from groundroll.linearization import Linearization, linearize
 from groundroll.metrics import Metrics
 from groundroll.simulation import Trajectory, simulate
-from groundroll.tire_data import TireData
-from groundroll.tire_fit import TireFit, fit_tire
 
 from .sources import Trial, setup, trials
+from .thesis_tire import Table, ThesisFit, table_3_1, thesis_fit
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -93,20 +92,14 @@ def case(number: int, model: str) -> Case:
 
 
 @cache
-def tire_fit() -> TireFit:
+def tire_fit() -> ThesisFit:
     """The fit to Table 3.1."""
-    return fit_tire(TireData.load("goodyear-6.00-6"))
+    return thesis_fit(table_3_1())
 
 
 @cache
-def tire_fit_in_pounds() -> TireFit:
+def tire_fit_in_pounds() -> ThesisFit:
     """The fit to Table 3.1 with its forces and loads in the whole pounds they come from."""
-    data = tire_fit().data
-    return fit_tire(
-        TireData(
-            f"{data.name} in pounds",
-            data.slip_angles,
-            np.round(data.loads / POUND, -2) * POUND,
-            np.round(data.forces / POUND) * POUND,
-        )
-    )
+    table = table_3_1()
+    loads, forces = np.round(table.loads / POUND, -2), np.round(table.forces / POUND)
+    return thesis_fit(Table(table.slip_angles, loads * POUND, forces * POUND))

@@ -51,7 +51,7 @@ def _tire(parameters: Mapping[str, Any], alpha: Any, Fz: Any) -> dict[str, Float
 
 def tire_data(figure: Figure, spec: FigureSpec) -> None:
     axis = figure.add_subplot()
-    data = tire_fit().data
+    data = tire_fit().table
     angles = np.degrees(data.slip_angles)
     for k, load in enumerate(data.loads):
         axis.plot(angles, data.forces[:, k], _MARKERS[k], color=COLOURS[k], ls="-", lw=0.8)
@@ -80,13 +80,13 @@ def coefficient(figure: Figure, spec: FigureSpec) -> None:
     axis = figure.add_subplot()
     name, unit = spec.options["coefficient"], spec.options["unit"]
     fit = tire_fit()
-    measured = {"C_c": fit.cornering_coefficients, "mu": fit.friction_coefficients}[name]
+    measured = dict(zip(("C_c", "mu"), fit.table.coefficients, strict=True))[name]
     scale = from_si(1.0, QUANTITIES[name].unit, unit) if unit != "1" else 1.0
     loads = np.linspace(1500.0, 5600.0, 50)
     for k, (label, parameters) in enumerate(_parameter_sets(spec.options["sets"]).items()):
         line = _tire(parameters, np.zeros_like(loads), loads)[name]
         axis.plot(loads, scale * line, color=COLOURS[k], linestyle=DASHES[k], label=label)
-    axis.plot(fit.data.loads, scale * measured, "o", color=INK, label="from Table 3.1")
+    axis.plot(fit.table.loads, scale * measured, "o", color=INK, label="from Table 3.1")
     axis.set_ylim(0, None)
     axis.set_xlim(loads[0], loads[-1])
     axis.set_xlabel("vertical load $F_z$ (N)")
@@ -99,11 +99,12 @@ def coefficient(figure: Figure, spec: FigureSpec) -> None:
 
 def normalised(figure: Figure, spec: FigureSpec) -> None:
     axis = figure.add_subplot()
-    fit = tire_fit()
-    for k, load in enumerate(fit.data.loads):
+    table = tire_fit().table
+    alpha_bar, F_bar = table.normalised
+    for k, load in enumerate(table.loads):
         axis.plot(
-            fit.alpha_bar[:, k],
-            fit.F_bar[:, k],
+            alpha_bar[:, k],
+            F_bar[:, k],
             _MARKERS[k],
             color=COLOURS[k],
             fillstyle="none",
@@ -123,7 +124,7 @@ def normalised(figure: Figure, spec: FigureSpec) -> None:
 
 def reconstruction(figure: Figure, spec: FigureSpec) -> None:
     axis = figure.add_subplot()
-    data = tire_fit().data
+    data = tire_fit().table
     alpha = np.radians(np.linspace(0.0, 20.0, 101))
     sets = _parameter_sets(spec.options["sets"])
     for k, load in enumerate(data.loads):
