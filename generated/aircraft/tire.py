@@ -1,4 +1,4 @@
-# Generated from derive/ (digest e5b6e081fb255334) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 09d2faabb2fea236) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """The tire by itself (Chapter 3)."""
 
 from functools import cache
@@ -121,6 +121,87 @@ def magic_formula_of_shape() -> ca.Function:
         [B1, D1],
         ["C1"],
         ["B1", "D1"],
+    )
+
+
+@cache
+def mf_lateral() -> ca.Function:
+    """Lateral force by the coefficients of a .tir file, in the axes of the file.
+
+    Inputs
+    ------
+    alpha : scalar [rad], slip angle of a tire
+    Fz : scalar [N], vertical load on one main tire
+    FNOMIN : scalar [N], nominal load
+    tangent : scalar [1], 1 if slip is the tangent of the angle, else 0
+    PCY1 : scalar [1], shape factor
+    PDY1 : scalar [1], friction at the nominal load
+    PDY2 : scalar [1], its change with load
+    PEY1 : scalar [1], curvature at the nominal load
+    PEY2 : scalar [1], its change with load
+    PEY3 : scalar [1], its dependence on the sign of the slip angle
+    PKY1 : scalar [1], largest stiffness over nominal load
+    PKY2 : scalar [1], load of the largest stiffness over nominal load
+    PKY4 : scalar [1], curvature of the stiffness
+    PHY1 : scalar [1], horizontal shift at the nominal load
+    PHY2 : scalar [1], its change with load
+    PVY1 : scalar [1], vertical shift over load at the nominal load
+    PVY2 : scalar [1], its change with load
+    LFZO : scalar [1], scale of the nominal load
+    LCY : scalar [1], scale of the shape factor
+    LMUY : scalar [1], scale of friction
+    LEY : scalar [1], scale of the curvature
+    LKY : scalar [1], scale of the stiffness
+    LHY : scalar [1], scale of the horizontal shift
+    LVY : scalar [1], scale of the vertical shift
+
+    Outputs
+    -------
+    F_mf : 1 x 1, lateral force, as the file's axes have it [N]
+    """
+    alpha = ca.SX.sym("alpha")
+    Fz = ca.SX.sym("Fz")
+    FNOMIN = ca.SX.sym("FNOMIN")
+    tangent = ca.SX.sym("tangent")
+    PCY1 = ca.SX.sym("PCY1")
+    PDY1 = ca.SX.sym("PDY1")
+    PDY2 = ca.SX.sym("PDY2")
+    PEY1 = ca.SX.sym("PEY1")
+    PEY2 = ca.SX.sym("PEY2")
+    PEY3 = ca.SX.sym("PEY3")
+    PKY1 = ca.SX.sym("PKY1")
+    PKY2 = ca.SX.sym("PKY2")
+    PKY4 = ca.SX.sym("PKY4")
+    PHY1 = ca.SX.sym("PHY1")
+    PHY2 = ca.SX.sym("PHY2")
+    PVY1 = ca.SX.sym("PVY1")
+    PVY2 = ca.SX.sym("PVY2")
+    LFZO = ca.SX.sym("LFZO")
+    LCY = ca.SX.sym("LCY")
+    LMUY = ca.SX.sym("LMUY")
+    LEY = ca.SX.sym("LEY")
+    LKY = ca.SX.sym("LKY")
+    LHY = ca.SX.sym("LHY")
+    LVY = ca.SX.sym("LVY")
+    w2 = 1/(FNOMIN*LFZO)
+    df_z = w2*(-FNOMIN*LFZO + Fz)  # 4.E2
+    K_y = FNOMIN*LFZO*LKY*PKY1*ca.sin(PKY4*ca.atan(Fz*w2/PKY2))  # 4.E25
+    mu_y = LMUY*(PDY1 + PDY2*df_z)  # 4.E23
+    S_H = LHY*(PHY1 + PHY2*df_z)  # 4.E27
+    S_V = Fz*LMUY*LVY*(PVY1 + PVY2*df_z)  # 4.E29
+    slip = S_H + alpha*(1 - tangent) + tangent*ca.tan(alpha)  # 4.E20
+    C_y = LCY*PCY1  # 4.E21
+    D_y = Fz*mu_y  # 4.E22
+    E_y = ca.fmin(1, LEY*(PEY1 + PEY2*df_z)*(-PEY3*ca.if_else(slip >= 0, 1, -1) + 1))  # 4.E24
+    B_y = K_y/(C_y*D_y)  # 4.E26
+    b_y = B_y*slip - E_y*(B_y*slip - ca.atan(B_y*slip))  # 4.E19
+    F_mf = D_y*ca.sin(C_y*ca.atan(b_y)) + S_V  # 4.E19
+    return ca.Function(
+        "mf_lateral",
+        [alpha, Fz, FNOMIN, tangent, PCY1, PDY1, PDY2, PEY1, PEY2, PEY3, PKY1, PKY2, PKY4, PHY1, PHY2, PVY1, PVY2, LFZO, LCY, LMUY, LEY, LKY, LHY, LVY],
+        [F_mf],
+        ["alpha", "Fz", "FNOMIN", "tangent", "PCY1", "PDY1", "PDY2", "PEY1", "PEY2", "PEY3", "PKY1", "PKY2", "PKY4", "PHY1", "PHY2", "PVY1", "PVY2", "LFZO", "LCY", "LMUY", "LEY", "LKY", "LHY", "LVY"],
+        ["F_mf"],
     )
 
 
