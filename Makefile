@@ -25,7 +25,7 @@ derive: $(STAMP)  ## regenerate the equations: generated/ from derive/
 	$(BIN)/python -m groundroll.derive
 
 compile: $(STAMP) derive  ## compile every generated function into the user's cache
-	$(BIN)/python -c "from groundroll import generated; [generated.load(f) for f in generated.FUNCTIONS]"
+	$(BIN)/python -c "from groundroll.generated import PACKS; [p.load(f) for p in PACKS.values() for f in p.functions]"
 
 test: lint types drift docs unit  ## everything that proves it
 

@@ -16,14 +16,15 @@ import numpy as np
 import sympy as sp
 from hypothesis import strategies as st
 
-from groundroll.derive.linear import linear
-from groundroll.derive.model import Model, nonlinear
+from groundroll.derive.core.model import Derivation
+from groundroll.derive.models.linear import linear
+from groundroll.derive.models.nonlinear import nonlinear
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Point = tuple[Array, Array, Array]
 
 #: Both models, as SymPy derives them.
-MODELS: dict[str, Model] = {"linear": linear(), "nonlinear": nonlinear()}
+MODELS: dict[str, Derivation] = {"linear": linear(), "nonlinear": nonlinear()}
 
 PER_DEGREE = degrees(1.0)  # from 1/deg to 1/rad
 
@@ -48,6 +49,7 @@ BROTT = {
     "C1": 0.1901,
     "D1": 6.1197,
     "E1": 1.0637,
+    "g": 9.81,
 }
 
 
@@ -103,6 +105,7 @@ RANGES: dict[str, tuple[float, float]] = {
     "C1": (0.15, 1.8),
     "D1": (0.8, 6.5),
     "E1": (-1.0, 1.2),
+    "g": (9.7, 9.9),
     "h": (0.01, 0.5),
     "alpha": (0.01, 0.5),
     "alpha_bar": (-9.0, 9.0),
@@ -163,7 +166,7 @@ def call(function: ca.Function, *arguments: Any) -> Any:
 
 
 def lambdified(
-    model: Model, expressions: Iterable[sp.Expr], modules: str = "numpy"
+    model: Derivation, expressions: Iterable[sp.Expr], modules: str = "numpy"
 ) -> Callable[..., Any]:
     """Expressions in the quantities of a model's chain, as SymPy prints them."""
     explicit = [model.explicit(sp.sympify(e)) for e in expressions]

@@ -12,7 +12,7 @@ import groundroll as gr
 from groundroll.aircraft import FOLLOWS, packaged, parameter_symbols
 from groundroll.aircraft_file import AircraftFileError, Mistake, packaged_files
 from groundroll.checking import _usual
-from groundroll.generated import MODELS, QUANTITIES
+from groundroll.names import MODELS, QUANTITIES
 from groundroll.units import UnitError, from_si, to_si
 
 BRIEF = """

@@ -22,7 +22,7 @@ import groundroll as gr
 from groundroll import cli
 from groundroll.aircraft import packaged, parameter_symbols
 from groundroll.cli import output
-from groundroll.generated import DIGEST, MODELS, QUANTITIES
+from groundroll.names import DIGEST, MODELS, QUANTITIES
 from groundroll.template import template
 
 KEEPING = ["simulate", "linearize", "trim", "map", "ensemble", "survival"]
@@ -161,7 +161,7 @@ def test_a_result_is_kept_with_all_that_went_in(run, name: str, suffix: str, tmp
 
 def test_info_says_if_other_equations_made_a_file(run, monkeypatch: pytest.MonkeyPatch):
     run("linearize", "brott", "--out", "lin.npz")
-    monkeypatch.setattr("groundroll.generated.names.DIGEST", "0123456789abcdef")
+    monkeypatch.setattr("groundroll.names.DIGEST", "0123456789abcdef")
     assert (
         f"equations {DIGEST}, not those installed, 0123456789abcdef" in run("info", "lin.npz").out
     )

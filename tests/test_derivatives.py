@@ -1,8 +1,8 @@
 """Four derivatives of everything agree, none of which knows of the others.
 
 SymPy differentiates the expanded expressions (in 40 digits); CasADi differentiates the builders;
-the C code holds Jacobians printed by the chain rule of `derive.jacobian`, and forward and reverse
-sweeps of its own; the complex step differentiates NumPy.
+the C code holds Jacobians printed by the chain rule of `derive.core.jacobian`, and forward and
+reverse sweeps of its own; the complex step differentiates NumPy.
 """
 
 import re
@@ -19,7 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import MODELS, RANGES, Array, Point, lambdified, parameters, points, state
 
-from groundroll.generated import FUNCTIONS, build, integrators, library, load
+from groundroll.generated import PACKS, build, integrators, load
 
 BLOCKS = ("x", "u", "p")
 NAMES = {"f": "rhs", "g": "outputs"}
@@ -273,10 +273,20 @@ def test_the_linear_steering_problem_is_solved_in_one_newton_step():
 EXPORTED = re.compile(r"^CASADI_SYMBOL_EXPORT int (\w+)\(const casadi_real\*\* arg", re.MULTILINE)
 
 
-@pytest.mark.parametrize("c_file", sorted({c_file for _, _, c_file in FUNCTIONS.values()}))
-def test_libraries_export_what_an_exact_hessian_needs_and_no_jacobian_of_an_adjoint(c_file: str):
+@pytest.mark.parametrize(
+    ("pack", "c_file"),
+    [
+        (p, c)
+        for p, pack in PACKS.items()
+        for c in sorted({c for *_, c in pack.functions.values()})
+        if c
+    ],
+)
+def test_libraries_export_what_an_exact_hessian_needs_and_no_jacobian_of_an_adjoint(
+    pack: str, c_file: str
+):
     """`jac_adj1` of an integrator has empty blocks: IPOPT would get a wrong Hessian in silence."""
-    exported = set(EXPORTED.findall((library.SOURCES / f"{c_file}.c").read_text()))
+    exported = set(EXPORTED.findall((PACKS[pack].sources / f"{c_file}.c").read_text()))
     plain = {name for name in exported if not name.startswith(("fwd", "adj", "jac"))}
     assert plain
     prefixes = ("", "fwd1_", "adj1_", "fwd1_adj1_")

@@ -1,7 +1,6 @@
 """generated/ is what derive/ makes, byte for byte, and works without a compiler or a cache."""
 
 import ast
-import importlib
 import os
 import re
 import subprocess
@@ -19,19 +18,21 @@ from oracles import MODELS, values
 
 from groundroll import generated
 from groundroll.derive import __main__ as command
-from groundroll.derive import emit
-from groundroll.derive.c_source import c_source
-from groundroll.derive.casadi_source import CasadiPrinter
-from groundroll.generated import library
+from groundroll.derive.emit.c_source import c_source
+from groundroll.derive.emit.casadi_source import CasadiPrinter
+from groundroll.derive.emit.pack import write
+from groundroll.derive.emit.tree import files
+from groundroll.generated import PACKS, library
+from groundroll.names import FUNCTIONS
 
 FOLDER = Path(generated.__file__).parent
-SOURCES = (".py", ".c", ".md")
+SOURCES = (".py", ".c", ".md", ".json")
 FILES = sorted(p.relative_to(FOLDER).as_posix() for p in FOLDER.rglob("*") if p.suffix in SOURCES)
 
 
 @cache
 def fresh() -> dict[str, str]:
-    return emit.files()
+    return files()
 
 
 # --- The text -------------------------------------------------------------------------------
@@ -61,8 +62,11 @@ def test_it_is_the_same_from_another_folder_under_another_hash_seed(tmp_path: Pa
 
 @pytest.mark.parametrize("name", FILES)
 def test_it_says_where_it_comes_from(name: str):
-    first, *_ = (FOLDER / name).read_text().splitlines()
-    assert f"Generated from derive/ (digest {emit.digest()})" in first
+    lines = (FOLDER / name).read_text().splitlines()
+    first = lines[name.endswith(".json")]  # after the brace
+    pack = PACKS.get(name.split("/")[0])
+    digest = f" (digest {pack.digest})" if pack else ""
+    assert f"Generated from derive/{digest} with" in first
     assert f"SymPy {sp.__version__} and CasADi {ca.CasadiMeta.version()}" in first
     assert "run `make derive`" in first
 
@@ -78,40 +82,37 @@ def test_it_holds_no_date_and_no_path(name: str):
 def test_the_check_prints_the_difference_and_the_command(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ):
-    texts = fresh()
-    for module in (command, emit):
-        monkeypatch.setattr(module, "files", lambda: texts)
-    emit.write(tmp_path)
+    monkeypatch.setattr(command, "files", fresh)
+    write(tmp_path, fresh())
     assert command.check(tmp_path) == 0
-    stability = tmp_path / "stability.py"
+    stability = tmp_path / "linear" / "stability.py"
     stability.write_text(stability.read_text().replace("2*C_alpha", "3*C_alpha"))
     assert command.check(tmp_path) == 1
     printed = capsys.readouterr()
     assert "-    C_f = 3*C_alpha" in printed.out
     assert "+    C_f = 2*C_alpha" in printed.out
-    assert "stability.py: not what derive/ makes; run `make derive`" in printed.err
+    assert "linear/stability.py: not what derive/ makes; run `make derive`" in printed.err
 
 
-def test_writing_removes_what_is_no_longer_generated(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
-    texts = fresh()
-    monkeypatch.setattr(emit, "files", lambda: texts)
-    emit.write(tmp_path)
-    (tmp_path / "c" / "unicycle.c").write_text(texts["c/tire.c"])
-    emit.write(tmp_path)
-    assert not (tmp_path / "c" / "unicycle.c").exists()
+def test_writing_removes_what_is_no_longer_generated(tmp_path: Path):
+    write(tmp_path, fresh())
+    left = [
+        tmp_path / "aircraft" / "c" / "unicycle.c",
+        *(tmp_path / "unicycle" / name for name in ("model.py", "facts.json", "EQUATIONS.md")),
+    ]
+    left[1].parent.mkdir()
+    sources = ("aircraft/c/tire.c", "linear/model.py", "linear/facts.json", "linear/EQUATIONS.md")
+    for path, source in zip(left, sources, strict=True):
+        path.write_text(fresh()[source])
+    write(tmp_path, fresh())
+    assert [path for path in left if path.exists()] == []
 
 
-def test_writing_leaves_alone_what_was_never_generated(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
-    texts = fresh()
-    monkeypatch.setattr(emit, "files", lambda: texts)
+def test_writing_leaves_alone_what_was_never_generated(tmp_path: Path):
     notes = tmp_path / "thesis" / "notes.txt"
     notes.parent.mkdir()
     notes.write_text("mine")
-    emit.write(tmp_path)
+    write(tmp_path, fresh())
     assert notes.exists()
 
 
@@ -123,11 +124,15 @@ x, y = sp.symbols("x y", real=True)
 @pytest.mark.parametrize(
     "expr",
     [
-        *(sp.asin(x), sp.atan2(x, y), sp.sinh(x), sp.sign(x), sp.Heaviside(x), sp.floor(x)),
+        *(sp.cot(x), sp.asinh(x), sp.erf(x), sp.Heaviside(x), sp.floor(x)),
         *(sp.gamma(x), sp.Function("f")(x), sp.Mod(x, y), sp.re(sp.Symbol("z"))),
         *(x**y, sp.cbrt(x), 2**x, x ** sp.Rational(3, 2)),
         *(sp.oo, sp.nan, sp.zoo, sp.Derivative(sp.Function("f")(x), x), sp.Integral(x, x)),
-        *(sp.Max(x, y, 1), sp.Matrix([x]), sp.Eq(x, y), x > y),
+        *(sp.Matrix([x]), sp.Eq(x, y), x > y, sp.Piecewise((x, x > 0))),
+        *(
+            sp.Piecewise((x, sp.Ne(x, y)), (y, True)),
+            sp.Piecewise((x, (x > 0) & (y > 0)), (y, True)),
+        ),
     ],
     ids=str,
 )
@@ -145,9 +150,9 @@ def test_what_sympy_prints_by_itself_is_refused(expr: sp.Expr):
 
 def test_the_refusal_names_what_there_is():
     with pytest.raises(
-        NotImplementedError, match=r"asin has no CasADi operation; there are .*atan"
+        NotImplementedError, match=r"floor has no CasADi operation; there are .*asin, atan"
     ):
-        CasadiPrinter().doprint(sp.asin(x))
+        CasadiPrinter().doprint(sp.floor(x))
 
 
 def run(expr: sp.Expr, at: tuple[float, float]) -> float:
@@ -165,6 +170,8 @@ def run(expr: sp.Expr, at: tuple[float, float]) -> float:
         *(sp.sqrt(x), 1 / sp.sqrt(x + y), y / sp.sqrt(x), -x * sp.sqrt(y), sp.sqrt(2) * x),
         *(sp.sin(x) * sp.cos(y), sp.tan(x) ** 2, sp.atan(x / y), sp.exp(-x), sp.log(x + y)),
         *(sp.Abs(x - y), -sp.Abs(x - 9) ** 3, sp.Max(x, y), sp.Min(x, y) * sp.Max(x, 1)),
+        *(sp.Max(x, y, 1), sp.Min(x, 2, y, x * y), sp.sign(x - y), sp.tanh(x), sp.atan2(x, -y)),
+        *(sp.asin(x / 3), sp.acos(y / 3), sp.sinh(x), sp.cosh(y)),
         *(sp.Integer(3) + 0 * x, sp.Rational(1, 3), sp.Float("0.1") * x),
     ],
     ids=str,
@@ -193,9 +200,9 @@ def test_piecewise_is_printed(expr: sp.Expr):
 # --- The C ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", sorted({c_file for _, _, c_file in generated.FUNCTIONS.values()}))
+@pytest.mark.parametrize("name", [name for name in FILES if name.endswith(".c")])
 def test_c_is_complete(name: str):
-    assert "#error" not in (FOLDER / "c" / f"{name}.c").read_text()
+    assert "#error" not in (FOLDER / name).read_text()
 
 
 def test_c_that_casadi_cannot_generate_is_an_error(capfd: pytest.CaptureFixture[str]):
@@ -207,20 +214,23 @@ def test_c_that_casadi_cannot_generate_is_an_error(capfd: pytest.CaptureFixture[
 
 
 def test_every_function_is_in_the_c_file_that_the_table_names():
-    for name, (_, _, c_file) in generated.FUNCTIONS.items():
-        assert f"CASADI_SYMBOL_EXPORT int {name}(" in (FOLDER / "c" / f"{c_file}.c").read_text()
+    compiled = [(p, n, c) for p in PACKS.values() for n, (*_, c) in p.functions.items() if c]
+    assert len(compiled) > 30
+    for pack, name, c_file in compiled:
+        assert f"CASADI_SYMBOL_EXPORT int {name}(" in (pack.sources / f"{c_file}.c").read_text()
 
 
 # --- The equation sheet ---------------------------------------------------------------------
 
-SHEET = (FOLDER / "EQUATIONS.md").read_text()
+SHEETS = {name: (pack.folder / "EQUATIONS.md").read_text() for name, pack in PACKS.items()}
+SHEET = "\n".join(SHEETS.values())
 
 
 @pytest.mark.parametrize("name", MODELS)
 def test_the_sheet_has_every_equation_of_a_model_with_its_number(name: str):
     for equation in MODELS[name].chain:
         row = f"${equation.lhs.latex} = {sp.latex(equation.rhs)}$ | {equation.source} |"
-        assert row in SHEET
+        assert row in SHEETS[name]
 
 
 @pytest.mark.parametrize(
@@ -250,7 +260,7 @@ def test_tables_of_the_sheet_are_whole():
 # --- The builders ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", generated.FUNCTIONS)
+@pytest.mark.parametrize("name", FUNCTIONS)
 @settings(max_examples=10)
 @given(data=st.data())
 def test_compiled_functions_give_the_numbers_of_their_builders(name: str, data: st.DataObject):
@@ -262,7 +272,7 @@ def test_compiled_functions_give_the_numbers_of_their_builders(name: str, data: 
     for n, argument in enumerate(builder.name_in()):
         symbols = [argument]
         if builder.name_in(0) in ("x", "x0") and argument in vectors:
-            symbols = getattr(generated.MODELS[name.split("_")[0]], vectors[argument])
+            symbols = getattr(generated.pack_of(name), vectors[argument])
         assert builder.size_in(n) == (len(symbols), 1)
         arguments.append(data.draw(values(symbols)))
     pairs = zip(builder.call(arguments), compiled.call(arguments), strict=True)
@@ -273,10 +283,11 @@ def test_compiled_functions_give_the_numbers_of_their_builders(name: str, data: 
 def docstrings() -> dict[str, str]:
     """By CasADi name, of the builders that are generated from equations."""
     found = {}
-    for name, (module, builder, _) in generated.FUNCTIONS.items():
+    for name, (module, builder, _) in FUNCTIONS.items():
         if builder not in ("rk4", "rk45"):
-            home = importlib.import_module(f"groundroll.generated.{module}")
-            found[name] = getattr(home, builder).__doc__
+            tree = ast.parse((generated.pack_of(name).folder / f"{module}.py").read_text())
+            functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+            found[name] = next(ast.get_docstring(f) for f in functions if f.name == builder)
     return found
 
 
@@ -309,11 +320,11 @@ def test_generated_python_is_ordinary(name: str):
 
 
 def test_stale_c_is_refused(tmp_path: Path):
-    old = tmp_path / "tire.c"
-    text = (library.SOURCES / "tire.c").read_text()
-    old.write_text(text.replace(generated.DIGEST, "0123456789abcdef"))
+    old, pack = tmp_path / "tire.c", PACKS["aircraft"]
+    text = (pack.sources / "tire.c").read_text()
+    old.write_text(text.replace(pack.digest, "0123456789abcdef"))
     with pytest.raises(generated.StaleError, match=r"tire\.c .*run `make derive`"):
-        library.compiled(old, symbol="magic_formula")
+        library.compiled(old, pack.digest, symbol="magic_formula")
 
 
 @pytest.mark.parametrize("get", [generated.load, generated.build])
@@ -324,7 +335,7 @@ def test_an_unknown_function_is_an_error_that_names_the_nearest(get):
 
 def test_functions_are_attributes():
     assert generated.nonlinear_rk45 is generated.load("nonlinear_rk45")
-    assert set(generated.FUNCTIONS) < set(dir(generated))
+    assert set(FUNCTIONS) < set(dir(generated))
     with pytest.raises(AttributeError, match="nonlinear_rk54"):
         _ = generated.nonlinear_rk54
 

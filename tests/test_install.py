@@ -77,7 +77,7 @@ def use(site: Path, folder: Path, **environment: str) -> str:
 
 def test_a_wheel_carries_all_it_needs(site: Path, tmp_path: Path) -> None:
     compiled = use(site, tmp_path)
-    assert list((tmp_path / "cache").glob("nonlinear_rk45-*.so"))
+    assert list((tmp_path / "cache").glob("nonlinear-rk45-*.so"))
     assert use(site, tmp_path / "..", CC="no-such-compiler") == compiled
 
 
@@ -85,7 +85,9 @@ def test_a_wheel_carries_all_it_needs(site: Path, tmp_path: Path) -> None:
     "name",
     [
         *("py.typed", "fleet/brott.toml", "fleet/goodyear-6.00-6.csv", "study/report.html.j2"),
-        *("generated/c/nonlinear_rk45.c", "generated/EQUATIONS.md", "derive/model.py"),
+        *("generated/nonlinear/c/rk45.c", "generated/nonlinear/EQUATIONS.md"),
+        *("generated/nonlinear/facts.json", "generated/nonlinear/model.py"),
+        *("derive/core/model.py", "derive/emit/simd/ensemble.c"),
     ],
 )
 def test_data_is_installed(site: Path, name: str) -> None:

@@ -9,12 +9,10 @@ from hypothesis import strategies as st
 from oracles import BROTT, MODELS, PER_DEGREE, points
 
 import groundroll as gr
-from groundroll.derive import gear_position, margins, worst_speed
-from groundroll.derive.closed_forms import C_f, K, k, routh_hurwitz, speed_polynomial, stiffnesses
-from groundroll.derive.equation import expand
-from groundroll.derive.linear import state_space
-from groundroll.derive.loads import static_loads
-from groundroll.derive.quantities import (
+from groundroll.derive.core.body import Izz, m
+from groundroll.derive.core.equation import expand
+from groundroll.derive.core.linearise import state_space
+from groundroll.derive.parts.quantities import (
     B3,
     C3,
     K1,
@@ -23,13 +21,21 @@ from groundroll.derive.quantities import (
     K4,
     C_alpha,
     Ct,
-    Izz,
     L,
     a,
     b,
-    m,
     u,
 )
+from groundroll.derive.theory import gear_position, margins, worst_speed
+from groundroll.derive.theory.closed_forms import (
+    C_f,
+    K,
+    k,
+    routh_hurwitz,
+    speed_polynomial,
+    stiffnesses,
+)
+from groundroll.derive.theory.loads import static_loads
 from groundroll.polynomials import negative_stretch, roots
 
 NAMES = tuple(map(str, MODELS["linear"].parameters))

@@ -11,8 +11,7 @@ from oracles import values
 import groundroll as gr
 from groundroll import generated
 from groundroll.evaluate import elementwise
-from groundroll.generated import kernels
-from groundroll.generated.names import SWEEPS
+from groundroll.generated import PACKS, kernels
 from groundroll.stability import CLOSED_FORMS
 from groundroll.sweeps import SWEPT
 
@@ -44,14 +43,14 @@ def test_every_margin_is_that_of_margins(name: str):
     assert gr.sweep(PLANE, [name], **few)[name] == pytest.approx(expected, rel=1e-9, nan_ok=True)
 
 
-@pytest.mark.parametrize("name", sorted(set(SWEEPS) - {"linear_modes"}))
+@pytest.mark.parametrize("name", sorted(PACKS["linear"].sweeps.keys() - {"linear_modes"}))
 def test_kernels_give_the_bits_of_casadi(name: str, monkeypatch: pytest.MonkeyPatch):
     names = generated.build(name).name_in()
     rng = np.random.default_rng(5)
     arguments = {s: rng.uniform(-0.2, 1.0, 20_001) for s in names}
     arguments[names[0]] = np.array(0.7)
     fast = elementwise(name, arguments)
-    monkeypatch.setattr(kernels, "can_sweep", lambda function: False)
+    monkeypatch.setattr(kernels, "can_sweep", lambda pack, function: False)
     slow = elementwise(name, arguments)
     for key, array in slow.items():
         assert np.array_equal(array, fast[key], equal_nan=True), key
@@ -71,7 +70,7 @@ def test_any_number_of_points_and_threads(count: int, threads: int, at: np.ndarr
 def test_without_a_compiler_the_numbers_are_the_same(monkeypatch: pytest.MonkeyPatch):
     few = {k: v[:500] for k, v in POINTS.items()}
     fast = gr.sweep(PLANE, **few)
-    monkeypatch.setattr(kernels, "can_sweep", lambda function: False)
+    monkeypatch.setattr(kernels, "can_sweep", lambda pack, function: False)
     slow = gr.sweep(PLANE, **few)
     for name, array in fast.items():
         assert slow[name] == pytest.approx(array, rel=1e-12, abs=1e-12, nan_ok=True)
@@ -91,7 +90,7 @@ def test_grids_broadcast_and_results_can_be_reused():
 
 @pytest.mark.parametrize("compiled", [True, False])
 def test_results_go_where_they_are_asked_to(compiled: bool, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(kernels, "can_sweep", lambda function: compiled)
+    monkeypatch.setattr(kernels, "can_sweep", lambda pack, function: compiled)
     shape, names = (40, 30), ["re_1", "understeer_gradient"]
     few = {"a": np.linspace(-1, 1, 40)[:, None], "speed": np.linspace(15, 40, 30)}
     table = np.full((3, *shape), np.nan)

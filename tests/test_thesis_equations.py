@@ -9,36 +9,21 @@ import pytest
 import sympy as sp
 from oracles import BROTT
 from sympy import atan, cos, pi, sin, tan
-from sympy.physics.vector import Vector, cross, dynamicsymbols
+from sympy.physics.vector import ReferenceFrame, Vector, cross, dynamicsymbols
 
-from groundroll.derive import tire
-from groundroll.derive.components import (
-    F_main,
-    F_tail,
-    F_tail_wheel,
-    alpha,
-    gamma,
-    main_gear,
-    slip_angle,
-    tail_wheel,
-    vertical_tail,
-)
-from groundroll.derive.equation import Chain, Equation, expand
-from groundroll.derive.kinematics import (
-    BODY,
-    GROUND,
-    OMEGA,
-    V0,
-    accelerations,
-    i,
-    j,
-    k,
-    velocity,
-)
-from groundroll.derive.linear import linear, linearise
-from groundroll.derive.model import Model, assemble, beta, linear_tire_model, nonlinear
-from groundroll.derive.newton import a_y, r_dot, sum_F, sum_M, v_dot
-from groundroll.derive.quantities import (
+from groundroll.derive.core.body import Body, Izz, a_y, beta, m, r_dot, sum_F, sum_M, v_dot
+from groundroll.derive.core.equation import Chain, Equation, expand
+from groundroll.derive.core.frames import BODY, i, j, k, psi, r, v
+from groundroll.derive.core.linearise import linearise
+from groundroll.derive.core.model import Derivation, Model
+from groundroll.derive.core.part import Part
+from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.core.unit import UnitError
+from groundroll.derive.models.linear import LINEAR_TIRE, linear
+from groundroll.derive.models.nonlinear import NONLINEAR as NONLINEAR_MODEL
+from groundroll.derive.models.nonlinear import nonlinear
+from groundroll.derive.parts import tires as tire
+from groundroll.derive.parts.quantities import (
     B1,
     B3,
     B5,
@@ -53,29 +38,40 @@ from groundroll.derive.quantities import (
     Ct,
     F_disturbance,
     Fz,
-    Izz,
-    Quantity,
     a,
     b,
-    m,
-    psi,
-    r,
     rho,
     u,
-    v,
 )
-from groundroll.derive.tire import C_c, F_bar, F_peak, F_y, alpha_bar, mu, psi_bar, theta_bar
-from groundroll.derive.units import UnitError
+from groundroll.derive.parts.thesis import (
+    F_main,
+    F_tail,
+    F_tail_wheel,
+    alpha,
+    gamma,
+    main_gear,
+    slip_angle,
+)
+from groundroll.derive.parts.tires import C_c, F_bar, F_peak, F_y, alpha_bar, mu, psi_bar, theta_bar
+
+LEVEL = Body(speed="held", stands="level")
+GEAR, TAIL, TAIL_WHEEL, *_ = NONLINEAR_MODEL.parts
+
+
+def some(name: str, *parts: Part) -> Derivation:
+    """A model of some of the thesis's parts, on the thesis's body."""
+    return Model(name, "", LEVEL, parts).derive()
+
 
 NONLINEAR, LINEAR = nonlinear(), linear()
-MAIN_GEAR = [main_gear(tire.nonlinear_tire)]
-LINEAR_MAIN_GEAR = [main_gear(tire.linear_tire)]
-MAIN_ONLY = assemble("main", "", MAIN_GEAR)
-WITH_TAIL = assemble("main_tail", "", [*MAIN_GEAR, vertical_tail()])
-LINEAR_MAIN_ONLY = linearise(assemble("main", "", LINEAR_MAIN_GEAR))
-LINEAR_WITH_TAIL = linearise(assemble("main_tail", "", [*LINEAR_MAIN_GEAR, vertical_tail()]))
+LINEAR_GEAR = Part("main_gear", a * i, main_gear(tire.linear_tire), suffix="")
+MAIN_ONLY, WITH_TAIL = some("main", GEAR), some("main_tail", GEAR, TAIL)
+LINEAR_MAIN_ONLY = linearise(some("main", LINEAR_GEAR))
+LINEAR_WITH_TAIL = linearise(some("main_tail", LINEAR_GEAR, TAIL))
 MEASURED, DATA = tire.measured_coefficients(alpha, F_peak), tire.normalised_data(alpha)
-ACCELERATION, ANGULAR_ACCELERATION = accelerations(v_dot, r_dot)
+ACCELERATION, V0, OMEGA = LEVEL.acceleration(Vector(0)), LEVEL.V0, LEVEL.OMEGA
+#: That of a point ahead, less that of the CG, is r_dot across and r^2 back, of its distance.
+ANGULAR_ACCELERATION = (LEVEL.acceleration(i) - ACCELERATION).dot(j) * k
 
 # what the thesis writes, in our names
 C_f, C_f_tail = 2 * C_alpha, Ct
@@ -92,23 +88,23 @@ def definition(of: Quantity, chain: Chain) -> sp.Expr:
     return next(found, sp.Symbol(f"{of}, which is not defined,"))
 
 
-def through(expr: sp.Expr, model: Model, *quantities: Quantity) -> sp.Expr:
+def through(expr: sp.Expr, model: Derivation, *quantities: Quantity) -> sp.Expr:
     """`expr` with only these quantities replaced by what the model defines them as."""
     return expand(expr, [e for e in model.chain if e.lhs in quantities])
 
 
-def rates(model: Model) -> list[sp.Expr]:
+def rates(model: Derivation) -> list[sp.Expr]:
     """v_dot and r_dot in terms of the forces."""
     return [through(rate, model, v_dot, r_dot, sum_F, sum_M) for rate in (v_dot, r_dot)]
 
 
-def balance(model: Model) -> list[sp.Expr]:
+def balance(model: Derivation) -> list[sp.Expr]:
     """m (v_dot + u r) and I_zz r_dot in terms of the forces."""
     along_y, about_z = rates(model)
     return [m * (along_y + u * r), Izz * about_z]
 
 
-def explicit(model: Model, expressions: list[sp.Expr]) -> list[sp.Expr]:
+def explicit(model: Derivation, expressions: list[sp.Expr]) -> list[sp.Expr]:
     return [model.explicit(expr) for expr in expressions]
 
 
@@ -116,19 +112,21 @@ def momentum_rates() -> list[sp.Expr]:
     """dG/dt along y and dH/dt about z, with G and H resolved and differentiated in ground axes."""
     v_t, r_t, heading = dynamicsymbols("v r psi")
     time = dynamicsymbols._t
+    ground = ReferenceFrame("ground")
+    body = ground.orientnew("body", "Axis", [heading, ground.z])
     rate = {heading.diff(time): r, v_t.diff(time): v_dot, r_t.diff(time): r_dot}
     now = {v_t: v, r_t: r, heading: psi}
-    G = (m * (u * i + v_t * j)).express(GROUND)
-    H = (Izz * r_t * k).express(GROUND)
+    G = (m * (u * body.x + v_t * body.y)).express(ground)
+    H = (Izz * r_t * body.z).express(ground)
     return [
-        G.dt(GROUND).express(BODY).dot(j).subs(rate).subs(now),
-        H.dt(GROUND).express(BODY).dot(k).subs(rate).subs(now),
+        G.dt(ground).express(body).dot(body.y).subs(rate).subs(now),
+        H.dt(ground).express(body).dot(body.z).subs(rate).subs(now),
     ]
 
 
 #: Number of the equation: what is derived, what is printed.
 PRINTED: dict[str, tuple[list[sp.Expr | Vector], list[sp.Expr | Vector]]] = {
-    "3.1": ([definition(F_y, linear_tire_model().chain)], [C_alpha * alpha]),
+    "3.1": ([definition(F_y, LINEAR_TIRE.derive().chain)], [C_alpha * alpha]),
     # the secant at 1 deg; C_c is in 1/deg here
     "3.2": ([definition(C_c, MEASURED).subs(alpha, ONE_DEGREE) * ONE_DEGREE], [F_y / Fz]),
     "3.3": ([definition(C_c, NONLINEAR.chain)], [B3 + C3 * Fz]),
@@ -178,17 +176,17 @@ PRINTED: dict[str, tuple[list[sp.Expr | Vector], list[sp.Expr | Vector]]] = {
             -a * F_front - b * F_dist + b * (F_tail + F_wheel),
         ],
     ),
-    "4.10": ([velocity(R_x * i + R_y * j)], [V0 + cross(OMEGA, R_x * i + R_y * j)]),
-    "4.11": ([MAIN_GEAR[0].position], [a * i]),
-    "4.12": ([velocity(MAIN_GEAR[0].position)], [u * i + (v + a * r) * j]),
+    "4.10": ([LEVEL.velocity(R_x * i + R_y * j)], [V0 + cross(OMEGA, R_x * i + R_y * j)]),
+    "4.11": ([GEAR.at], [a * i]),
+    "4.12": ([LEVEL.velocity(GEAR.at)], [u * i + (v + a * r) * j]),
     "4.13": ([slip_angle(alpha, V_x * i + V_y * j, "").rhs], [atan(V_y / V_x)]),
     "4.14": ([definition(alpha, NONLINEAR.chain)], [atan((v + a * r) / u)]),
     "4.15": (
-        [velocity(vertical_tail().position)],
-        [V0 + cross(OMEGA, vertical_tail().position)],
+        [LEVEL.velocity(TAIL.at)],
+        [V0 + cross(OMEGA, TAIL.at)],
     ),
-    "4.16": ([vertical_tail().position, tail_wheel().position], [-b * i, -b * i]),
-    "4.17": ([velocity(vertical_tail().position)], [u * i + (v - b * r) * j]),
+    "4.16": ([TAIL.at, TAIL_WHEEL.at], [-b * i, -b * i]),
+    "4.17": ([LEVEL.velocity(TAIL.at)], [u * i + (v - b * r) * j]),
     "4.18": ([slip_angle(gamma, V_x * i + V_y * j, "").rhs], [atan(V_y / V_x)]),
     "4.19": ([definition(gamma, NONLINEAR.chain)], [atan((v - b * r) / u)]),
     "4.20": ([definition(beta, NONLINEAR.chain)], [atan(v / u)]),

@@ -11,16 +11,19 @@ from hypothesis import strategies as st
 from oracles import Array, parameters, state, values
 
 from groundroll import generated
-from groundroll.derive import units
-from groundroll.derive.components import Component, Force, alpha, main_gear
-from groundroll.derive.equation import Equation
-from groundroll.derive.kinematics import i, j
-from groundroll.derive.model import assemble
-from groundroll.derive.quantities import F_disturbance, Quantity, a, m, r, u, v
-from groundroll.derive.tire import F_y, linear_tire
-from groundroll.derive.units import UnitError, unit, unit_of
+from groundroll.derive.core.body import Body, m
+from groundroll.derive.core.equation import Equation
+from groundroll.derive.core.frames import i, j, r, v
+from groundroll.derive.core.model import Model
+from groundroll.derive.core.part import Force, Part
+from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.core.unit import BASE, UnitError, unit, unit_of
+from groundroll.derive.parts.quantities import F_disturbance, a, u
+from groundroll.derive.parts.thesis import alpha, disturbance
+from groundroll.derive.parts.tires import F_y
+from groundroll.names import FUNCTIONS, QUANTITIES
 
-kg, metre, second = (units.BASE[name] for name in ("kg", "m", "s"))
+kg, metre, second = (BASE[name] for name in ("kg", "m", "s"))
 newton = kg * metre / second**2
 F = Quantity("F", "force", "N", "a force")
 
@@ -98,27 +101,42 @@ def test_zero_has_every_unit():
     assert Equation(F, sp.Integer(0), "no force").rhs == 0
 
 
-def test_a_component_with_a_wrong_force_law_cannot_be_assembled():
+LEVEL = Body(speed="held", stands="level")
+
+
+def test_a_part_with_a_wrong_force_law_cannot_be_assembled():
     """The weight forgotten in F = C_c alpha F_z: a coefficient where a stiffness belongs."""
     C_c = Quantity("C_c", "cornering_coefficient", "1/rad", "stiffness over load")
 
-    def law(velocity: object) -> Force:
-        return Force(-F * j, (Equation(F, C_c * alpha, "typing error"),))
+    def law(felt: object) -> Force:
+        return Force(-F * j, chain=(Equation(F, C_c * alpha, "typing error"),))
 
     with pytest.raises(UnitError, match=r"F \(typing error\)"):
-        assemble("wrong", "", [main_gear(linear_tire), Component("wrong", a * i, law)])
+        Model("wrong", "", LEVEL, [Part("wrong", a * i, law)]).derive()
 
 
-def test_a_force_where_a_moment_belongs_is_caught():
-    """A position given as a number, not as a length."""
-    beside = Component("beside", 2 * i, lambda velocity: Force(F_disturbance * j))
-    with pytest.raises(UnitError, match=r"2\*F_disturbance has unit"):
-        assemble("beside", "", [main_gear(linear_tire), beside])
+def test_a_position_that_is_a_number_is_caught():
+    with pytest.raises(UnitError, match=r"position of beside along x: .* unit 1, the left side m"):
+        Part("beside", 2 * i, disturbance, asks=(F_disturbance,))
 
 
-@pytest.mark.parametrize("symbol", generated.QUANTITIES)
+@pytest.mark.parametrize(
+    ("force", "complaint"),
+    [
+        (Force(a * F_disturbance * j), "force of wrong along y: the right side has unit kg*m**2"),
+        (Force(couple=F_disturbance * j), "couple of wrong along y: the right side has unit kg*m"),
+        (Force(rates={v: F_disturbance}), "rate of v of wrong: the right side has unit kg*m"),
+    ],
+)
+def test_what_a_law_returns_has_its_unit(force: Force, complaint: str):
+    part = Part("wrong", a * i, lambda felt: force, asks=(F_disturbance,))
+    with pytest.raises(UnitError, match=re.escape(complaint)):
+        Model("wrong", "", LEVEL, [part]).derive()
+
+
+@pytest.mark.parametrize("symbol", QUANTITIES)
 def test_every_generated_unit_can_be_read(symbol: str):
-    assert unit(generated.QUANTITIES[symbol].unit).free_symbols <= {kg, metre, second}
+    assert unit(QUANTITIES[symbol].unit).free_symbols <= {kg, metre, second}
 
 
 # --- In the numbers -------------------------------------------------------------------------
@@ -128,7 +146,7 @@ Scale = tuple[tuple[sp.Symbol, float], ...]
 SCALES = st.tuples(*[st.sampled_from([0.125, 0.25, 0.5, 2.0, 4.0, 8.0])] * 3).map(
     lambda factors: tuple(zip((kg, metre, second), factors, strict=True))
 )
-UNITS = {symbol: quantity.unit for symbol, quantity in generated.QUANTITIES.items()}
+UNITS = {symbol: quantity.unit for symbol, quantity in QUANTITIES.items()}
 
 
 @cache
@@ -136,10 +154,10 @@ def factor(text: str, scale: Scale) -> float:
     return float(unit(text).subs(scale))
 
 
-def model_of(function: str) -> generated.Signature | None:
+def model_of(function: str) -> generated.Pack | None:
     """The model whose vectors a generated function takes; None if it takes scalars."""
     takes_vectors = generated.load(function).name_in(0) in ("x", "x0")
-    return generated.MODELS[function.split("_")[0]] if takes_vectors else None
+    return generated.pack_of(function) if takes_vectors else None
 
 
 def symbols_in(function: str, argument: str) -> list[str]:
@@ -165,6 +183,8 @@ def units_in(function: str, slot: str, units: dict[str, str]) -> list[str] | lis
         "p": [units[symbol] for symbol in model.parameters],
         "y": [units[symbol] for symbol in model.outputs],
         "h": ["s"],
+        "place": [["m"] * 3 for _ in model.places],
+        "force": [["N"] * 3 for _ in model.places],
     }
     if slot in vectors:
         return vectors[slot]
@@ -192,7 +212,7 @@ def assert_same_physics(
         )
 
 
-@pytest.mark.parametrize("name", generated.FUNCTIONS)
+@pytest.mark.parametrize("name", FUNCTIONS)
 @settings(max_examples=10)
 @given(data=st.data())
 def test_numbers_do_not_depend_on_the_units_of_mass_length_and_time(name: str, data: st.DataObject):

@@ -52,12 +52,12 @@ def _first_order(expr: sp.Expr, moving: Sequence[Quantity]) -> sp.Expr:
 
 @cache
 def state_space(model: Derivation) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix, sp.Matrix]:
-    """A, B, C, D of a linear model: x' = A x + B u, y = C x + D u with x = (v, r)."""
+    """A, B, C, D of a linear model: x' = A x + B u, y = C x + D u, x being dynamic."""
     rates = sp.ImmutableMatrix(
         [model.explicit(model.rates[model.states.index(s)]) for s in model.dynamic]
     )
     outputs = sp.ImmutableMatrix([model.explicit(q) for q in model.outputs])
-    states, inputs = sp.Matrix(model.dynamic), sp.Matrix(model.inputs)
+    states, inputs = (sp.Matrix(len(q), 1, q) for q in (model.dynamic, model.inputs))
     A, B = rates.jacobian(states), rates.jacobian(inputs)
     C, D = outputs.jacobian(states), outputs.jacobian(inputs)
     return A, B, C, D

@@ -28,13 +28,15 @@ _ROLES = {
 
 def facts(
     pack: Pack,
+    provenance: str,
     functions: Mapping[str, tuple[str, str, str]],
     kernels: Kernels | None,
     sweep: SweepKernels | None,
 ) -> str:
-    """Text of ``facts.json``."""
+    """Text of ``facts.json``, which begins with its provenance as other generated files do."""
     model = pack.model
     content: dict[str, Any] = {
+        "provenance": provenance,
         "format": FORMAT,
         "version": VERSION,
         "name": pack.name,

@@ -47,7 +47,7 @@ def pack_files(pack: Pack) -> dict[str, str]:
         compiled["lanes"] = kernels.text
     for name, text in compiled.items():
         texts[f"c/{name}.c"] = f"/* {header} */\n{text}"
-    texts["facts.json"] = facts(pack, _function_table(pack), kernels, sweep)
+    texts["facts.json"] = facts(pack, header, _function_table(pack), kernels, sweep)
     return texts
 
 

@@ -30,7 +30,8 @@ t = np.linspace(0.0, END, N + 1)
 # is flown, here one that holds over each interval.
 smooth = gr.gusts.one_minus_cosine(peak="250 N", start="0.2 s", length="0.8 s")
 gust = gr.gusts.sampled(t[:-1], smooth(t[:-1] + h / 2), hold=True)
-ALONG, ACROSS, HEADING = (generated.MODELS["nonlinear"].states.index(s) for s in ("X", "Y", "psi"))
+STATES = generated.PACKS["nonlinear"].states
+ALONG, ACROSS, HEADING = (STATES.index(s) for s in ("X", "Y", "psi"))
 
 
 def problem(step: ca.Function) -> tuple[dict[str, ca.MX], dict[str, np.ndarray]]:
