@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import groundroll as gr
-from groundroll import generated
 from groundroll.names import MODELS
 
 TRICYCLE = {"cg_station": "13.6 in", "a": -0.5, "Ct": 0}
@@ -32,33 +31,6 @@ def test_the_lines_of_the_readme_work(plane: gr.Aircraft) -> None:
     assert F.name_in() == ["x0", "u", "p"]
     assert F.name_out() == ["xf"]
     assert F.size_out(0) == (7, 3)
-
-
-def with_a_second_input(name: str) -> ca.Function:
-    """A function of the non-linear model with an input more, which moves every result."""
-    inner = generated.build(name.replace("two_inputs", "nonlinear"))
-    if "two_inputs" not in name:
-        return inner
-    x, u, *others = (ca.MX.sym(s, inner.size1_in(k)) for k, s in enumerate(inner.name_in()))
-    u = ca.MX.sym("u", 2)
-    results = [value + u[1] for value in inner.call([x, u[0], *others])]
-    return ca.Function(name, [x, u, *others], results)
-
-
-def test_a_disturbance_is_the_first_input_and_the_others_are_zero(
-    plane: gr.Aircraft, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(generated, "load", with_a_second_input)
-    more = MODELS["nonlinear"]._replace(inputs=("F_disturbance", "L"))
-    monkeypatch.setitem(MODELS, "two_inputs", more)
-    for disturbance in (30.0, gr.gusts.one_minus_cosine(30.0, 0.1, 0.5)):
-        runs = [
-            gr.simulate(plane, model, disturbance=disturbance, t=1.0, samples=11)
-            for model in ("nonlinear", "two_inputs")
-        ]
-        for name in (*more.states, *more.outputs):
-            np.testing.assert_array_equal(runs[1][name], runs[0][name])
-        assert not runs[1]["L"].any()
 
 
 def test_full_names_and_symbols_are_the_same(plane: gr.Aircraft) -> None:

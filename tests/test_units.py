@@ -216,10 +216,10 @@ def assert_same_physics(
 @settings(max_examples=10)
 @given(data=st.data())
 def test_numbers_do_not_depend_on_the_units_of_mass_length_and_time(name: str, data: st.DataObject):
-    """To the last bit, but for the absolute tolerance of adaptive steps."""
+    """To the last bit, but for adaptive steps, and for a slope near an extremum that cancels."""
     arguments = generated.load(name).name_in()
     point = [data.draw(values(symbols_in(name, argument))) for argument in arguments]
-    tolerance = 1e-9 if name.endswith("rk45") else 0.0
+    tolerance = 1e-9 if name.endswith("rk45") else 1e-11 if name == "C3_follows" else 0.0
     assert_same_physics(name, point, data.draw(SCALES), UNITS, tolerance)
 
 

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from groundroll.arrays import FloatArray
+from groundroll.generated import Quantity
+from groundroll.models import as_model
 
 #: How a model is drawn where both are: the non-linear as a band, the linear as dashes upon it.
 _OVERLAY: Mapping[str, Mapping[str, Any]] = {
@@ -40,7 +42,7 @@ def response(figure: Figure, spec: FigureSpec) -> None:
         axis.set_ylim(*options["limits"])
     axis.set_xlabel("time (s)")
     radians = options.get("radians", False)
-    label = axis_label(options["quantity"])
+    label = axis_label(_quantity(chosen[0], options))
     axis.set_ylabel(label.replace("(deg)", "(rad)") if radians else label)
     _legend(axis, chosen)
 
@@ -48,8 +50,14 @@ def response(figure: Figure, spec: FigureSpec) -> None:
 def _series(subject: Case, options: Mapping[str, Any]) -> tuple[FloatArray, FloatArray]:
     name = options["quantity"]
     values = subject.run[name]
-    shown = values if options.get("radians") else in_shown_unit(name, values)
+    shown = values if options.get("radians") else in_shown_unit(_quantity(subject, options), values)
     return subject.run.t, shown
+
+
+def _quantity(subject: Case, options: Mapping[str, Any]) -> Quantity:
+    model = as_model(subject.run.model)
+    rows = (*model.states, *model.outputs)
+    return model.quantities[model.symbol(options["quantity"], "quantity", rows, "figures.toml")]
 
 
 def _look(subject: Case, among: Sequence[Case]) -> dict[str, Any]:
