@@ -1,7 +1,18 @@
-"""``python -m groundroll``: the command line."""
+"""``groundroll`` and ``python -m groundroll``: the command line, which Ctrl-C ends at any time."""
 
 import sys
 
-from .cli import main
 
-sys.exit(main())
+def main() -> int:
+    """Run the command line and return its exit code."""
+    try:
+        from .cli import main as run
+
+        return run()
+    except KeyboardInterrupt:
+        print("groundroll: interrupted", file=sys.stderr)
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

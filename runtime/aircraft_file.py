@@ -21,6 +21,7 @@ from .errors import GroundrollError, listed, one_of
 from .files import as_path, text_of
 from .names import QUANTITIES
 from .tire_size import friction_on
+from .wording import encodable
 
 #: A name in a file, after those of the tables that it is in.
 Place: TypeAlias = tuple[str, ...]
@@ -121,9 +122,10 @@ def _aircraft(path: Path, data: dict[str, Any], lines: Mapping[Place, int]) -> A
             given[s], sources[s], places[s] = value, source, place
     if on := surface(file):
         _scale_friction(given, sources, on)
-    title = file.title or path.stem
+    name = encodable(path.stem)
+    title = file.title or name
     own = {name: entry.value for name, entry in file.parameters.items()}
-    plane = Aircraft(path.stem, given, title, file.description, sources, file.source, own)
+    plane = Aircraft(name, given, title, file.description, sources, file.source, own)
     for problem in contradictions(plane):
         place = places.get(problem.symbol, (QUANTITIES[problem.symbol].name,))
         wrong.append((place, problem.found, problem.expected))

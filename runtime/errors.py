@@ -86,5 +86,5 @@ def shown(value: Any) -> str:
     try:
         text = " ".join(repr(value).split())
     except Exception:  # an integer of thousands of digits, lists within lists, a class's own
-        return f"a {type(value).__name__} that cannot be shown"
+        return f"what is too long to show ({type(value).__name__})"
     return text if len(text) <= _LONG else f"{text[: _LONG - 3]}..."

@@ -11,6 +11,33 @@ from typing import Any
 
 
 @contextmanager
+def ended() -> Iterator[list[int]]:
+    """Let what asks the process to end do as Ctrl-C does, so that nothing is left behind.
+
+    Yields a list that has the number of the signal from then on.
+    """
+    by: list[int] = []
+
+    def end(number: int, frame: Any) -> None:
+        by.append(number)
+        interrupt = signal.getsignal(signal.SIGINT)
+        if callable(interrupt):
+            interrupt(signal.SIGINT, frame)
+        raise KeyboardInterrupt
+
+    mine = threading.current_thread() is threading.main_thread()
+    wanted = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
+    ours = [s for s in wanted if mine and s and signal.getsignal(s) is signal.SIG_DFL]
+    for number in ours:
+        signal.signal(number, end)
+    try:
+        yield by
+    finally:
+        for number in ours:
+            signal.signal(number, signal.SIG_DFL)
+
+
+@contextmanager
 def heeded() -> Iterator[Callable[[], None]]:
     """Let Ctrl-C end the block with KeyboardInterrupt, whatever becomes of it on its way.
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from .generated import Quantity
-from .wording import number
+from .wording import number, visible
 
 
 class Listed:
@@ -24,10 +24,11 @@ class Listed:
         return ()
 
     def __repr__(self) -> str:
-        rows = list(self._rows())
+        rows = [[visible(cell) for cell in row] for row in self._rows()]
         widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
         lines = ["  ".join(map(str.ljust, row, widths)) for row in rows]
-        return "\n".join([self._title(), *(f"  {s}".rstrip() for s in (*lines, *self._notes()))])
+        below = (f"  {s}".rstrip() for s in (*lines, *self._notes()))
+        return "\n".join([visible(self._title()), *map(visible, below)])
 
     def _repr_html_(self) -> str:
         from .notebook import table

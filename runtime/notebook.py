@@ -13,6 +13,11 @@ import numpy as np
 from .arrays import FloatArray
 from .errors import GroundrollError
 
+
+class Drawing(str):
+    """SVG that is ours, and goes into a table as it is."""
+
+
 _CELL = "text-align:left;padding:1px 8px"
 
 
@@ -20,7 +25,7 @@ def table(title: str, rows: Iterable[Sequence[str]], notes: Iterable[str] = ()) 
     """A title, a table and lines below it; cells that are drawings stay as they are."""
     lines = []
     for row in rows:
-        cells = (cell if cell.startswith("<svg") else escape(cell) for cell in row)
+        cells = (cell if isinstance(cell, Drawing) else escape(cell) for cell in row)
         line = "".join(f'<td style="{_CELL}">{cell}</td>' for cell in cells)
         lines.append(f"<tr>{line}</tr>")
     below = "".join(f"<div>{escape(note)}</div>" for note in notes)
@@ -45,7 +50,7 @@ def picture(text: str, plot: Callable[[], Any]) -> str:
     return f'<div>{words}<img src="data:image/png;base64,{data}"></div>'
 
 
-def sparkline(lines: FloatArray, width: int = 120, height: int = 22) -> str:
+def sparkline(lines: FloatArray, width: int = 120, height: int = 22) -> Drawing:
     """Series as one small picture, at most 60 points each and the first 8 of them."""
     few = lines[:8, np.unique(np.linspace(0, lines.shape[1] - 1, 60).astype(int))]
     low, high = float(few.min()), float(few.max())
@@ -53,4 +58,4 @@ def sparkline(lines: FloatArray, width: int = 120, height: int = 22) -> str:
     y = height - 2 - (height - 4) * (few - low) / ((high - low) or 1.0)
     paths = (" ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, row, strict=True)) for row in y)
     drawn = "".join(f'<polyline points="{p}" fill="none" stroke="#0072B2"/>' for p in paths)
-    return f'<svg width="{width}" height="{height}">{drawn}</svg>'
+    return Drawing(f'<svg width="{width}" height="{height}">{drawn}</svg>')

@@ -73,6 +73,11 @@ def style() -> AbstractContextManager[None]:
     return mpl.rc_context(_STYLE)
 
 
+def plain(text: str) -> str:
+    """A text of the user's as it is: what stands between two dollars would be a formula."""
+    return text.replace("$", r"\$")
+
+
 def in_shown_unit(q: Quantity, values: FloatArray) -> FloatArray:
     """Values of a quantity in the unit that people read."""
     unit = q.unit

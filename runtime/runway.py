@@ -17,7 +17,7 @@ from .errors import GroundrollError, one_of
 from .files import complete
 from .models import as_model
 from .names import PARAMETERS
-from .plots import COLOURS, INK, MUTED, style
+from .plots import COLOURS, INK, MUTED, plain, style
 from .progress import Progress, counted
 from .silhouette import ASPHALT, PAINT, Roll, draw_aircraft, draw_push, draw_tire_tracks
 from .simulation import Trajectory
@@ -185,7 +185,9 @@ def _parts(run: Trajectory) -> Iterator[Roll]:
     paths = (run[s].reshape(-1, run.t.size) for s in ("X", "Y", "psi", "F_disturbance"))
     arms = (np.broadcast_to(run.aircraft[s], shape).ravel().tolist() for s in ("a", "b"))
     for k, (X, Y, psi, force, a, b) in enumerate(zip(*paths, *arms, strict=True)):
-        label = f"{run.aircraft.name}, {as_model(run.model).name} model{_varied(run, shape, k)}"
+        label = (
+            f"{plain(run.aircraft.name)}, {as_model(run.model).name} model{_varied(run, shape, k)}"
+        )
         yield Roll(run.t, X, Y, psi, force, a, b, label, COLOURS[0])
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
+import shlex
 from collections.abc import Iterable
 
 from .aircraft import FOLLOWS, parameter_symbols
 from .names import QUANTITIES
 from .tire_size import surfaces
+from .wording import encodable
 
 #: Sections of an aircraft file: what goes in, and what to know about it.
 _SECTIONS = {
@@ -58,7 +61,7 @@ _REST = "follows"
 _REST_TEXT = "What follows from the rest. Give it only if the rest is not known, or to override it."
 
 _HEAD = """\
-# {name}: an aircraft file of groundroll.
+# {comment}: an aircraft file of groundroll.
 #
 # Take the # away from the lines that you know. A value is a number with a unit of your choice,
 #     mass = "1650 lb"
@@ -66,7 +69,7 @@ _HEAD = """\
 #     mass = {{ value = "1650 lb", source = "weighing of 3 May", estimate = false }}
 # A bare number is in the unit beside the question mark. Then: groundroll check {file}
 
-title = "{name}"
+title = {title}
 description = \"\"\"
 \"\"\"
 source = "" # the document that most numbers are from
@@ -85,9 +88,15 @@ def template(name: str, file: str) -> str:
     """
     placed = {s for symbols, _ in _SECTIONS.values() for s in symbols}
     rest = [s for s in parameter_symbols() if s not in placed and s not in _OTHER_NAMES]
-    parts = [_HEAD.format(name=name, file=file)]
+    title, command = quoted(name), quoted(shlex.quote(file))[1:-1]
+    parts = [_HEAD.format(title=title, comment=title[1:-1], file=command)]
     parts += [_section(title, symbols, text) for title, (symbols, text) in _SECTIONS.items()]
     return "\n".join([*parts, _section(_REST, rest, _REST_TEXT)])
+
+
+def quoted(text: str) -> str:
+    """A text as TOML writes it, on one line."""
+    return json.dumps(encodable(text), ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _section(title: str, symbols: Iterable[str], text: str) -> str:

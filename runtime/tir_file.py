@@ -18,6 +18,7 @@ from .files import text_of
 from .generated import build
 from .tire_data import TireData
 from .units import UnitError, to_si
+from .wording import encodable
 
 #: ``KEY = value``; what comes behind is a comment.
 _ENTRY = re.compile(r"\s*(?P<key>[A-Za-z]\w*)\s*=\s*(?P<value>'[^']*'|\"[^\"]*\"|[^\s$!]*)")
@@ -83,7 +84,7 @@ def _tire(path: Path, values: dict[str, float], limits: dict[str, float], force:
         " coefficients"
     )
     points = (alpha.ravel(), force * Fz.ravel(), force * F.ravel())
-    return TireData(path.stem, *points, notes=(note,))
+    return TireData(encodable(path.stem), *points, notes=(note,))
 
 
 def _within(

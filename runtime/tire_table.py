@@ -23,6 +23,7 @@ from .errors import GroundrollError, listed
 from .files import text_of
 from .tire_data import TireData
 from .units import UnitError, parts, to_si
+from .wording import encodable
 
 #: Largest file that is read, bytes: some ten thousand points.
 _LARGEST = 2**20
@@ -93,7 +94,7 @@ def read(path: Path) -> TireData:
     try:
         alpha, Fz, F = map(np.array, (_long if is_long else _wide)(reading, kinds, notes))
         if not reading.mistakes:
-            return TireData(path.stem, alpha, Fz, F, tuple(notes))
+            return TireData(encodable(path.stem), alpha, Fz, F, tuple(notes))
     except GroundrollError as problem:
         raise GroundrollError(f"{path}: {problem}") from None
     raise GroundrollError(listed(str(path), reading.mistakes))

@@ -8,6 +8,7 @@ Results go to stdout, everything else to stderr. Exit codes, for scripts:
       be, a folder that cannot be written; `check` of an aircraft that no model can run
 2     wrong usage: an unknown command, option, parameter name or unit
 130   interrupted
+143   ended from outside (SIGTERM; 129: SIGHUP)
 ====  =====================================================================================
 """
 
@@ -83,30 +84,51 @@ def _group() -> None:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code, one of those above."""
     from groundroll.errors import GroundrollError
-    from groundroll.interruption import heeded
+    from groundroll.interruption import ended, heeded
 
-    with warnings.catch_warnings():
+    from .output import drop_stdout
+
+    if "matplotlib" not in sys.modules:  # whose import fails if this names none of its own
+        os.environ["MPLBACKEND"] = "agg"
+    with warnings.catch_warnings(), ended() as by:
         warnings.showwarning = _show_warning
         try:
             with heeded():
                 found = _group.main(arguments, prog_name="groundroll", standalone_mode=False)
             return found or 0
         except click.ClickException as problem:
-            problem.show()
-            return problem.exit_code
+            return _failed(problem.format_message(), problem.exit_code, _usage(problem))
         except (click.Abort, KeyboardInterrupt):
-            return _failed("interrupted", 130)
+            return _failed(*(("ended", 128 + by[0]) if by else ("interrupted", 130)))
         except BrokenPipeError:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the last flush
+            drop_stdout()
             return 1
         except GroundrollError as problem:
             return _failed(str(problem), 1)
+        except MemoryError:
+            return _failed("there is not enough memory for this", 1)
+        except OSError as problem:  # --help goes to a stdout that is full
+            drop_stdout()
+            return _failed(str(problem), 1)
 
 
-def _failed(message: str, code: int) -> int:
-    click.echo(f"groundroll: {message}", err=True)
+def _usage(problem: click.ClickException) -> str:
+    """How the command is called that was called in another way."""
+    context = getattr(problem, "ctx", None)
+    if context is None:
+        return ""
+    hint = f"Try '{context.command_path} --help' for help.\n"
+    return f"{context.get_usage()}\n{hint}\nError: "
+
+
+def _failed(message: str, code: int, head: str = "groundroll: ") -> int:
+    from .output import say
+
+    say(f"{head}{message}")
     return code
 
 
 def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
-    click.echo(f"groundroll: warning: {message}", err=True)
+    from .output import say
+
+    say(f"groundroll: warning: {message}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import click
@@ -21,7 +22,7 @@ def command(file: Path, like: str | None, force: bool) -> None:
     """
     if file.suffix != ".toml":
         raise click.BadParameter(f"found {file.name!r}; expected a name ending in .toml")
-    if file.exists() and not force:
+    if os.path.lexists(file) and not force:
         raise click.BadParameter(f"{file} exists; --force overwrites it")
     write(file, _content(file, like))
     task = "change what is different" if like else "fill it in"

@@ -25,6 +25,9 @@ F = TypeVar("F", bound=Callable[..., Any])
 #: What --set gives: names and values as written, None for a parameter that is to follow.
 Changes = tuple[tuple[str, str | None], ...]
 
+#: More digits has no number of points that anybody can wait for.
+_DIGITS = 20
+
 #: Points along an axis of a map if the range names no number.
 _POINTS = 201
 
@@ -141,13 +144,16 @@ def _grid(key: str, name: str, text: str, unit: str) -> Grid:
     """A range as written, in the SI unit."""
     import numpy as np
 
+    from groundroll.errors import shown
+    from groundroll.memory import check_memory
     from groundroll.units import parts, to_si
 
     low, high, points = _split(text) or ("", "", "")
     ends = [to_si(end, unit, name) for end in (low, high)]
-    if points and not points.isdecimal():
-        raise ValueError(f"found {points!r} points; expected a whole number")
+    if points and not (points.isdecimal() and len(points) < _DIGITS):
+        raise ValueError(f"found {shown(points)} points; expected a whole number")
     count = int(points) if points else None
+    check_memory(8 * (count or 0), f"{name} of so many points")
     if not (ends[0] < ends[1] and (count is None or count >= 2)):
         raise ValueError(f"found {name}={text!r}; expected low < high and 2 or more points")
     return Grid(key, (key, np.linspace(ends[0], ends[1], count or _POINTS)), parts(low)[1], count)

@@ -6,10 +6,13 @@ import csv
 import io
 import json
 import math
+import os
+import re
 import shutil
 import sys
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from groundroll.wording import number as number
+from groundroll.wording import visible
 
 if TYPE_CHECKING:
     from groundroll.results import Result
@@ -24,6 +28,12 @@ if TYPE_CHECKING:
 FORMATS = ("table", "csv", "json")
 #: Not a format to print but a file with the result itself, of one of these kinds.
 KEPT, KEPT_IN = "kept", (".npz", ".nc")
+
+#: How a formula begins, and a number, with or without a unit, that does too.
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+_PLAIN = re.compile(
+    r"[+-](?:inf|nan|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?: (?:1/)?[^\W\d][\w^*/ .]*)?"
+)
 
 #: Beyond this width a line is hard to read; narrower terminals wrap the last column.
 _WIDEST = 120
@@ -54,7 +64,7 @@ class Output:
 def emit(output: Output, form: str, out: Path | None) -> None:
     """Write an output in a format to a file, or to stdout."""
     if out is None:
-        click.echo(_content(output, form), nl=False)
+        show(_content(output, form))
         return
     if form == KEPT:
         assert output.result is not None
@@ -62,6 +72,27 @@ def emit(output: Output, form: str, out: Path | None) -> None:
     else:
         write(out, _content(output, form))
     say(f"wrote {out}")
+
+
+def show(text: str) -> None:
+    """Write to stdout, or say why that cannot be."""
+    from groundroll.errors import GroundrollError
+
+    if sys.stdout is None:
+        raise GroundrollError("cannot write the result: stdout is closed; --out writes a file")
+    try:
+        click.echo(text, nl=False)
+    except BrokenPipeError:
+        raise
+    except OSError as problem:
+        drop_stdout()
+        raise GroundrollError(f"cannot write the result: {problem.strerror}") from problem
+
+
+def drop_stdout() -> None:
+    """Let what is left for stdout vanish, where it cannot go and Python would try again."""
+    with suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _content(output: Output, form: str) -> str:
@@ -73,12 +104,13 @@ def write(path: Path, content: str) -> None:
     from groundroll.files import complete
 
     with complete(path) as draft:
-        draft.write_text(content, encoding="utf-8", newline="")
+        draft.write_text(content, encoding="utf-8", errors="backslashreplace", newline="")
 
 
 def say(message: str) -> None:
     """Tell people something on stderr; stdout is for results."""
-    click.echo(message, err=True)
+    with suppress(OSError):  # there is nobody left to tell
+        click.echo(visible(message), err=True)
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]], right: Sequence[int] = ()) -> str:
@@ -165,23 +197,32 @@ def shown(value: Any, unit: str) -> tuple[float, str]:
 
 def _width() -> int:
     """Columns to write to: of the terminal, or without one as many as it takes."""
-    if not sys.stdout.isatty():
+    if sys.stdout is None or not sys.stdout.isatty():
         return 10_000
     return min(shutil.get_terminal_size().columns, _WIDEST)
 
 
 def _text(output: Output) -> str:
-    return output.text.rstrip("\n") + "\n"
+    return visible(output.text.rstrip("\n")) + "\n"
 
 
 def _csv(output: Output) -> str:
     buffer = io.StringIO()
-    csv.writer(buffer, lineterminator="\n").writerows(output.rows)
+    rows = ([_cell(value) for value in row] for row in output.rows)
+    csv.writer(buffer, lineterminator="\n").writerows(rows)
     return buffer.getvalue()
 
 
+def _cell(value: Any) -> Any:
+    """A cell that no spreadsheet takes for a formula: a text that looks like one gets a quote."""
+    if not isinstance(value, str):
+        return value
+    text = visible(value)
+    return f"'{text}" if text.startswith(_FORMULA) and not _PLAIN.fullmatch(text) else text
+
+
 def _json(output: Output) -> str:
-    return json.dumps(plain(output.data), indent=2, allow_nan=False, ensure_ascii=False) + "\n"
+    return json.dumps(plain(output.data), indent=2, allow_nan=False) + "\n"
 
 
 def plain(value: Any) -> Any:

@@ -6,7 +6,7 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -26,7 +26,7 @@ def bar(what: str = "") -> Iterator[Show]:
 
     Before it is told anything a line of patience stands there; at the end all is wiped out.
     """
-    if not sys.stderr.isatty():
+    if sys.stderr is None or not sys.stderr.isatty():
         yield lambda done, total: None
         return
     begin = time.time()
@@ -79,4 +79,5 @@ def _patience() -> Iterator[None]:
 
 
 def _say(text: str) -> None:
-    click.echo(text, err=True, nl=False)
+    with suppress(OSError):
+        click.echo(text, err=True, nl=False)

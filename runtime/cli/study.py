@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from .options import example
+from .output import show
 from .progress import bar
 
 
@@ -25,8 +26,8 @@ def command(out: Path) -> None:
     """
     from groundroll import study
 
-    with bar("steps") as show:
-        summary = study.run(out, show)
-    click.echo(summary)
+    with bar("steps") as progress:
+        summary = study.run(out, progress)
+    show(f"{summary}\n")
     if summary.differs:
         raise click.exceptions.Exit(1)

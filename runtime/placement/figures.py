@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundroll.arrays import FloatArray
-from groundroll.plots import COLOURS, DASHES, INK, MUTED, style
+from groundroll.plots import COLOURS, DASHES, INK, MUTED, plain, style
 
 from .case import Case
 from .envelope import corners, grid
@@ -238,7 +238,8 @@ def front_figure(front: Front) -> Figure:
         ax.set_xlabel(f"worst {front.against.replace('_', ' ')} ({kind.shown})")
         ax.set_ylabel(f"worst {label}")
         ax.set_title(
-            f"{front.case.plane.name} as a {front.case.layout}, {front.case.stiffness} stiffness\n"
+            f"{plain(front.case.plane.name)} as a {front.case.layout},"
+            f" {front.case.stiffness} stiffness\n"
             "beside the points: main gear station behind the datum"
         )
         ax.margins(x=0.08, y=0.1)
