@@ -29,7 +29,12 @@ FOLLOWS = frozenset(
     name.removesuffix("_follows") for name in FUNCTIONS if name.endswith("_follows")
 )
 #: Endings of the functions by which it does: the first that gives a number counts.
-_WAYS = ("_follows_with_nose_wheel", "_follows", "_follows_from_size")
+_WAYS = (
+    "_follows_with_nose_wheel",
+    "_follows_with_tail_wheel",
+    "_follows",
+    "_follows_from_size",
+)
 
 
 @cache

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .aircraft import FOLLOWS, Aircraft, parameter_symbols
+from .aircraft import Aircraft, parameter_symbols
 from .arrays import FloatArray
 from .errors import GroundrollError
+from .generated import PACKS
 from .names import QUANTITIES
 from .parameters import NotGivenError
 from .units import parts
@@ -17,6 +18,11 @@ from .units import parts
 #: How far a given length may be from the one that follows from the other data, m: what a tape
 #: measure and the rounding of a weight-and-balance sheet leave.
 _LENGTHS = {"a": 0.01, "b": 0.01, "L": 0.01}
+
+#: What follows of any aircraft, whatever the model.
+_ANYWAY = frozenset(
+    name.partition("_follows")[0] for name in PACKS["aircraft"].functions if "_follows" in name
+)
 
 #: The same for wheel loads, relative: what a set of scales leaves.
 _LOADS = {"Fz": 0.02, "F_tail_load": 0.02}
@@ -172,7 +178,8 @@ def _is_tricycle(plane: Aircraft) -> bool:
 
 def _impossible(plane: Aircraft) -> Iterator[Contradiction]:
     """What follows and cannot be, such as a tail ahead of the CG."""
-    for key in filter(FOLLOWS.__contains__, parameter_symbols()):
+    # what only some model needs is for whoever asks for that model
+    for key in filter(_ANYWAY.__contains__, parameter_symbols()):
         try:
             plane[key]
         except NotGivenError:

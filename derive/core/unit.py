@@ -75,8 +75,9 @@ def unit_of(expr: sp.Expr) -> sp.Expr:
 
 def check_unit(expr: sp.Expr, expected: str, where: str) -> None:
     """Raise `UnitError` unless `expr` has the unit `expected`; zero has every unit."""
+    branches = [b for b, _ in expr.args] if isinstance(expr, sp.Piecewise) else [expr]
     try:
-        fits = expr == 0 or unit_of(expr) == unit(expected)
+        fits = set(branches) <= {0, sp.nan} or unit_of(expr) == unit(expected)
     except UnitError as problem:
         raise UnitError(f"{where}: {problem}") from None
     if not fits:

@@ -144,6 +144,7 @@ def _aircraft() -> Pack:
         sections=(
             Section("Loads and stiffnesses", loads.static_loads()),
             Section("Loads with a nose wheel", loads.nose_wheel_loads(), _NOSE_WHEEL),
+            Section("The tire of a tail wheel", loads.tail_wheel_tire()),
             Section("A main tire from its size and pressure", tire_size.main_tire(), _SIZE),
             Section("A tail wheel's tire from its size and pressure", tire_size.tail_tire()),
             Section("A tire of a .tir file", mf_lateral.lateral_force(), _MF),
@@ -220,9 +221,11 @@ def following(model: Derivation) -> Iterator[FunctionSpec]:
 
 def loads_module() -> Module:
     """One function for each parameter that follows from others where it is not given."""
+    third = tuple(q.of("third") for q in (B1, C1, D1))
     functions = (
         *_following(loads.static_loads(), "follows", PARAMETERS),
         *_following(loads.nose_wheel_loads(), "follows_with_nose_wheel", PARAMETERS),
+        *_following(loads.tail_wheel_tire(), "follows_with_tail_wheel", (*PARAMETERS, *third)),
         *_following(tire_size.main_tire(), "follows", PARAMETERS),
         *_following(tire_size.tail_tire(), "follows_from_size", PARAMETERS),
     )

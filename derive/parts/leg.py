@@ -24,7 +24,6 @@ foot_v = Quantity("foot_v", "foot_drift", "m/s", "its velocity along y")
 foot_w = Quantity("foot_w", "foot_heave", "m/s", "its velocity along z")
 sinking = Quantity("sinking", "sink_rate", "m/s", "downward velocity of the foot of the leg")
 touching = Quantity("touching", "touching", "1", "1 on the ground, 0 above it, rounded between")
-pushing = Quantity("pushing", "pushed_stroke", "m", "the stroke, nothing above the ground")
 F_leg = Quantity("F_leg", "leg_force", "N", "spring and damper, along the leg", r"F_{\mathrm{leg}}")
 
 
@@ -77,11 +76,10 @@ def stand(felt: Felt, leg: Leg) -> Foot:
             for name, value in zip((foot_u, foot_v, foot_w), velocity, strict=True)
         ),
         Equation(sinking, foot.dot(felt.down), "direction cosines"),
-        Equation(pushing, ramp(stroke, ROUNDING), "above the ground nothing pushes"),
-        Equation(touching, step(stroke, ROUNDING), "above the ground nothing damps"),
+        Equation(touching, step(stroke, ROUNDING), "nothing above the ground"),
         Equation(
             F_leg,
-            leg.stiffness * pushing + leg.damping * touching * sinking / tilt,
+            touching * (leg.stiffness * stroke + leg.damping * sinking / tilt),
             "spring and damper",
         ),
         Equation(Fz, ramp(F_leg, leg.stiffness * ROUNDING) / tilt, "a leg never pulls"),

@@ -7,7 +7,13 @@ import sympy as sp
 from groundroll.derive.core.body import g, m
 from groundroll.derive.core.equation import Chain, Equation
 from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.parts.gear import a_third
 from groundroll.derive.parts.quantities import (
+    B1,
+    B3,
+    C1,
+    C3,
+    D1,
     K1,
     K2,
     K3,
@@ -62,6 +68,22 @@ def nose_wheel_loads() -> Chain:
     return (
         _behind_the_cg(f, main_gear_share(x_nose - x_cg)),
         _behind_the_cg(F_tail_load, sp.Min(1 - f, 0) * m * g),
+        _behind_the_cg(a_third, x_cg - x_nose),
+    )
+
+
+def tail_wheel_tire() -> Chain:
+    """The tail wheel's tire as a tire like any other, of the stiffness that the thesis gives it.
+
+    Its slope at no slip, load times B C D times the cornering coefficient, is the stiffness at the
+    static load; NaN where there is no tail wheel.
+    """
+    B3_third, C3_third, B1_third, C1_third, D1_third = (q.of("third") for q in (B3, C3, B1, C1, D1))
+    slope = Ct / (F_tail_load * B1_third * C1_third * D1_third)
+    carries = Ct * F_tail_load > 0
+    return (
+        Equation(B3_third, sp.Piecewise((slope, carries), (sp.nan, True)), "Eq. 4.30"),
+        Equation(C3_third, sp.Piecewise((0, carries), (sp.nan, True)), "Eq. 4.30"),
     )
 
 
