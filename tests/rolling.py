@@ -115,7 +115,7 @@ def table(points: list[list[float]], friction: float) -> Tire:
         curve = sp.Piecewise(*lines, (points[-1][1], True))
         return (
             Equation(mu, sp.Float(friction), "table"),
-            Equation(grip, sp.sign(alpha) * curve, "table"),
+            Equation(grip, sp.sign(alpha) * curve / friction, "table"),
         )
 
     return tire
@@ -211,6 +211,21 @@ def parameters(aircraft: Mapping[str, Any]) -> dict[str, float]:
     found |= {"CL_max": 1e3, "K_drag": 0.0, "CY_r": 0.0, "Cl_r": 0.0, "Cn_aileron": 0.0}
     found |= {DERIVATIVES[key]: number for key, number in aircraft["aero"].items()}
     found["z_thrust"] = aircraft.get("thrust_z", 0.0)
+    if "disturbed_at" in aircraft:
+        found["b"] = -aircraft["disturbed_at"][0]
+    if "fin" in aircraft:
+        fin, tail = aircraft["fin"], aircraft["tailplane"]
+        found |= {"fin_apart": 1.0, "tailplane_apart": 1.0, "A_disc": aircraft["disc"]}
+        found |= {"b": -fin["x"], "z_fin": fin["z"], "Ap": fin["S"], "CL_gamma": fin["slope"]}
+        found |= {"CL_fin": fin["CLmax"], "tau_rudder": fin["tau"]}
+        found |= {"x_h": tail["x"], "z_h": tail["z"], "S_h": tail["S"], "CL_h": tail["slope"]}
+        found |= {"CL_h_max": tail["CLmax"], "tau_elevator": tail["tau"]}
+        found |= {"i_h": tail["incidence"], "downwash": tail["downwash"]}
+    if "swivel" in third:
+        swivel = third["swivel"]
+        found |= {"swivels": 1.0, "trail": swivel["trail"], "I_swivel": swivel["I"]}
+        found |= {"c_swivel": swivel["c"], "k_swivel": swivel["k"], "k_stop": swivel["stop_k"]}
+        found |= {"break_out": swivel["break_out"], "stop": swivel["stop"]}
     if third.get("castered"):  # light, and well damped
         found |= {"swivels": 1.0, "trail": 0.05, "I_swivel": 0.01, "c_swivel": 0.05}
     return found

@@ -55,7 +55,7 @@ g = Parameter("g", "gravity", "m/s^2", "acceleration due to gravity", sign=">0")
 u_held = Parameter("u", "speed", "m/s", "forward speed, constant", sign=">0")
 
 # --- Wind -------------------------------------------------------------------------------------
-wind_x = Input("wind_x", "headwind", "m/s", "velocity of the air along the runway, forward")
+wind_x = Input("wind_x", "tailwind", "m/s", "velocity of the air along the runway, forward")
 wind_y = Input("wind_y", "crosswind", "m/s", "velocity of the air across the runway, to the right")
 _WIND = tuple(
     Quantity(f"wind_{s}", f"wind_along_{axis}", "m/s", f"velocity of the air along body {axis}")

@@ -1,7 +1,6 @@
 """Corners rounded in a stated width, so that derivatives are there and are continuous.
 
-Outside of its width a rounded function is the function itself, or differs from it by the square
-of the width over the distance: what stands at each.
+Outside of its width a rounded function is the function itself.
 """
 
 from __future__ import annotations
@@ -25,10 +24,10 @@ def step(x: sp.Expr, width: sp.Expr) -> sp.Expr:
 
 
 def clipped(x: sp.Expr, limit: sp.Expr, width: sp.Expr) -> sp.Expr:
-    """`x` between -limit and limit, odd in both.
+    """`x` between -limit and limit: exactly that but within half the width of a limit.
 
-    Smaller in size than either of them. It falls short of `limit` by half the width where `x` has
-    just reached it, and of `x` by width^2 x / (2 limit^2) where `x` is small.
+    Odd in `x`, and never beyond a limit.
     """
-    above, below = sp.sqrt((x + limit) ** 2 + width**2), sp.sqrt((x - limit) ** 2 + width**2)
-    return (above - below) / 2
+    hard = sp.Max(-limit - width / 2, sp.Min(limit + width / 2, x))
+    above, below = (sp.Max(0, (y - limit) / width + sp.Rational(1, 2)) for y in (hard, -hard))
+    return hard - width * (above**3 * (1 - above / 2) - below**3 * (1 - below / 2))

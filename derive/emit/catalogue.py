@@ -13,8 +13,10 @@ from groundroll.derive.core.equation import Chain, needed
 from groundroll.derive.core.jacobian import jacobian, tangents
 from groundroll.derive.core.model import Derivation
 from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.models.landing_roll import landing_roll
 from groundroll.derive.models.linear import linear
 from groundroll.derive.models.nonlinear import nonlinear
+from groundroll.derive.models.rollout import rollout
 from groundroll.derive.parts import tires
 from groundroll.derive.parts.quantities import B1, C1, D1, E1, PARAMETERS, Fz, d_tire, w_tire
 from groundroll.derive.parts.thesis import alpha
@@ -133,7 +135,7 @@ def _equations(chain: Chain) -> Iterator[str]:
 
 def packs() -> tuple[Pack, ...]:
     """Everything that ships, derived afresh."""
-    return (_aircraft(), _linear(), _nonlinear())
+    return (_aircraft(), _linear(), _nonlinear(), *map(_rolling, (rollout(), landing_roll())))
 
 
 def _aircraft() -> Pack:
@@ -177,6 +179,10 @@ def _nonlinear() -> Pack:
         (Section(*stability_sections.steady_turns(model)),),
         abilities=("turns",),
     )
+
+
+def _rolling(model: Derivation) -> Pack:
+    return Pack(model.name, model.summary, model=model)
 
 
 def model_module(model: Derivation) -> Module:

@@ -102,14 +102,19 @@ def _function_table(pack: Pack) -> dict[str, tuple[str, str, str]]:
     return table
 
 
+#: What of a long model has derivatives in C; of a short one, all has.
+_DIFFERENTIATED = ("rhs", "outputs")
+
+
 def _compiled(pack: Pack, modules: Mapping[str, ModuleType]) -> dict[str, list[ca.Function]]:
     """The functions of each C file."""
     contents: dict[str, list[ca.Function]] = {}
+    is_readable = pack.all_modules[0].is_readable
     for module, builder, c_file in _function_table(pack).values():
         if c_file:
             function = getattr(modules[module], builder)()
-            is_large = builder == "jacobians" and not pack.all_modules[0].is_readable
-            made = [function] if is_large else integrators.derivatives(function)
+            is_plain = c_file == "model" and not is_readable and builder not in _DIFFERENTIATED
+            made = [function] if is_plain else integrators.derivatives(function)
             contents.setdefault(c_file, []).extend(made)
     return contents
 

@@ -43,7 +43,7 @@ tailplane_apart = Parameter(
 STILL = Constant(0.01, "m/s")
 #: Density below which a thrust is no longer the air's.
 THIN = Constant(1e-6, "kg/m^3")
-STALL = sp.Rational(1, 20)
+STALL = sp.Rational(1, 5)
 
 delta_rudder = Quantity(
     "delta_rudder", "rudder_angle", "rad", "of the rudder, trailing edge left", r"\delta_r"
@@ -86,7 +86,7 @@ def fin(felt: Felt) -> Force:
             "Eq. 4.29",
         ),
     )
-    return Force(-F_L * j, chain=chain, shown=(gamma, F_L))
+    return Force(-F_L * j, chain=chain, shown=(gamma, C_L, F_L))
 
 
 def tailplane(incidence: sp.Expr = sp.S.Zero) -> Law:
@@ -105,7 +105,7 @@ def tailplane(incidence: sp.Expr = sp.S.Zero) -> Law:
                 "lift",
             ),
         )
-        return Force(-F_L * k, chain=chain, shown=(gamma, F_L))
+        return Force(-F_L * k, chain=chain, shown=(gamma, C_L, F_L))
 
     return law
 

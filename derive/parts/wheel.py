@@ -12,7 +12,7 @@ from groundroll.derive.core.frames import i, j
 from groundroll.derive.core.part import Event, Felt, Force, Law, Part
 from groundroll.derive.core.quantity import Quantity
 
-from .friction import Tire, V_x, V_y, across, along, alpha, ellipse, slipping
+from .friction import Slip, Tire, V_x, V_y, across, along, alpha, ellipse, mu, slipping
 from .leg import Leg, depth, stand
 
 F_x = Quantity("F_x", "wheel_drag", "N", "lengthwise force on the wheel, backward", "F_x")
@@ -55,6 +55,7 @@ def wheel(
     rolling: Quantity,
     brake: sp.Expr = sp.S.Zero,
     turned: Turned | None = None,
+    lag: Quantity | None = None,
     asks: tuple[Quantity, ...] = (),
 ) -> Part:
     """A wheel that stands on the runway.
@@ -74,13 +75,17 @@ def wheel(
         0 (rolls) to 1 (locked).
     turned : Turned, optional
         Its heading; that of the body if omitted.
+    lag : Quantity, optional
+        Relaxation length of the tire; its slip is felt at once if omitted.
     asks : tuple of Quantity
         The inputs among all this.
     """
-    return Part(name, at, _law(leg, tire, rolling, brake, turned or Turned()), asks, kind="wheel")
+    slip = slipping(lag)
+    law = _law(leg, tire, ellipse(brake, rolling, slip.fade), turned or Turned(), slip)
+    return Part(name, at, law, asks, kind="wheel")
 
 
-def _law(leg: Leg, tire: Tire, rolling: Quantity, brake: sp.Expr, turned: Turned) -> Law:
+def _law(leg: Leg, tire: Tire, friction: Chain, turned: Turned, slip: Slip) -> Law:
     def law(felt: Felt) -> Force:
         foot = stand(felt, leg)
         heading, right, directions = _heading(felt, turned.angle)
@@ -90,17 +95,17 @@ def _law(leg: Leg, tire: Tire, rolling: Quantity, brake: sp.Expr, turned: Turned
             *directions,
             Equation(V_x, foot.velocity.dot(heading), "Eq. 4.10 at the contact"),
             Equation(V_y, foot.velocity.dot(right) - turned.leftward, "Eq. 4.10 at the contact"),
-            *slipping(),
+            *slip.chain,
             *tire(felt.load),
-            *ellipse(brake, rolling),
-            Equation(F_x, along * felt.load, "friction"),
-            Equation(F_y, turned.holds * across * felt.load, "friction"),
+            *friction,
+            Equation(F_x, along * mu * felt.load, "Eq. 3.11"),
+            Equation(F_y, turned.holds * across * mu * felt.load, "Eq. 3.11"),
         )
         load = felt.load * felt.down if foot.chain else Vector(0)
         return Force(
             vector=-F_x * heading - F_y * right - load,
             chain=chain,
-            rates=turned.rates,
+            rates={**turned.rates, **slip.rates},
             shown=(felt.load, alpha, F_x, F_y),
             at=foot.at,
             events=(LIFTED,) if foot.chain else (),

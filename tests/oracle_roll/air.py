@@ -21,11 +21,9 @@ class Air(NamedTuple):
     moment: Vector
 
 
-def stalled(lift: float, limit: float | None, width: float = 0.02) -> float:
-    """A lift coefficient between -limit and limit, the corners rounded."""
-    if limit is None:
-        return lift
-    return float((np.hypot(lift + limit, width) - np.hypot(lift - limit, width)) / 2)
+def stalled(lift: float, limit: float | None) -> float:
+    """A lift coefficient between -limit and limit."""
+    return lift if limit is None else float(np.clip(lift, -limit, limit))
 
 
 def derivatives(
@@ -69,8 +67,6 @@ def derivatives(
 
 def slipstream(u: float, thrust: float, density: float, disc: float) -> float:
     """Axial speed behind the propeller far downstream, by momentum theory."""
-    if not disc:
-        return u
     return float(np.sqrt(max(u * abs(u) + 2 * thrust / (density * disc), 0.0)))
 
 
@@ -87,11 +83,10 @@ def surface(
     """A fin (vertical) or tailplane at its station `x`, `z`, with its rudder or elevator."""
     place = np.array([s["x"], 0.0, s["z"]])
     u, v, w = velocity + np.cross(rates, place)
-    if density * disc > 0:
-        u = slipstream(u, thrust, density, disc)
+    u = slipstream(u, thrust, density, disc)
     across = v if vertical else w
-    angle = np.arctan2(across, u) + (-s["tau"] if vertical else s["tau"]) * deflection
-    angle += s.get("incidence", 0.0)
+    angle = np.arctan2(across, u) * (1 - s.get("downwash", 0.0)) + s.get("incidence", 0.0)
+    angle += (-s["tau"] if vertical else s["tau"]) * deflection
     lift = stalled(s["slope"] * angle, s.get("CLmax"))
     size = density * (u * u + across * across) * s["S"] / 2 * lift
     force = np.array([0.0, -size, 0.0] if vertical else [0.0, 0.0, -size])

@@ -180,7 +180,7 @@ def swivel_rates(
         spring = s["k"] * wound
         if "break_out" in s:
             out = s["break_out"]
-            spring /= 1 + np.exp(min((wound**2 - out**2) / (out * s["rounding"]), 500.0))
+            spring /= 1 + np.exp(min((wound**2 - out**2) / (s["rounding"] * out**2), 500.0))
         if "stop" in s:
             spring += s["stop_k"] * (angle - np.clip(angle, -s["stop"], s["stop"]))
         rates += [rate, (s["trail"] * at.left - s["c"] * rate - spring) / s["I"]]
