@@ -56,7 +56,8 @@ class TestPackaged:
     def test_every_number_has_its_source(self, plane):
         for s in plane.given:
             assert plane.sources[s].text, s
-        assert {s for s in plane.given if plane.sources[s].estimate} == {"K1", "K2", "K3", "K4"}
+        estimates = {s for s in plane.given if plane.sources[s].estimate}
+        assert estimates == {"K1", "K2", "K3", "K4", "S_wing"}
 
     def test_they_differ_in_the_tires_only(self):
         assert set(PRINTED.given) - set(PHYSICAL.given) == set(FOLLOWING)

@@ -57,7 +57,7 @@ def test_a_grid_does_not_change_the_motion(plane: gr.Aircraft) -> None:
     assert fine == pytest.approx(coarse, rel=1e-8, abs=1e-10)
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
 def test_arrays_go_through(plane: gr.Aircraft, model: str) -> None:
     many = plane.replace(a=np.array([-0.5, 0.0, 0.5]))
     run = gr.simulate(many, model, v0=np.array([[0.1], [0.2]]), t=1.0, samples=11)
@@ -95,7 +95,7 @@ def test_rk4_approaches_rk45(plane: gr.Aircraft) -> None:
     assert 12 < error[0] / error[1] < 22
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
 def test_steady_state_is_the_inverse_of_A(plane: gr.Aircraft, model: str) -> None:
     """[y, theta] = -A^-1 x0 (linear model; the non-linear one for a small start)."""
     run = gr.simulate(plane, model, v0=1e-6, r0=2e-7, t=1.0)
