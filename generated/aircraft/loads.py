@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 09d2faabb2fea236) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 406129565a3aaa86) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """What follows from CG and gear positions."""
 
 from functools import cache
@@ -292,6 +292,97 @@ def F_tail_load_follows_with_nose_wheel() -> ca.Function:
         [F_tail_load],
         ["m", "a", "g", "f"],
         ["F_tail_load"],
+    )
+
+
+@cache
+def a_third_follows_with_nose_wheel() -> ca.Function:
+    """Third wheel ahead of the CG; negative: a tail wheel (balance of moments).
+
+    Inputs
+    ------
+    a : scalar [m], main gear ahead of the CG (positive: taildragger)
+    x_cg : scalar [m], the CG behind the datum
+    x_nose : scalar [m], the nose wheel behind the datum
+
+    Outputs
+    -------
+    a_third : 1 x 1, third wheel ahead of the CG; negative: a tail wheel [m]
+    """
+    a = ca.SX.sym("a")
+    x_cg = ca.SX.sym("x_cg")
+    x_nose = ca.SX.sym("x_nose")
+    a_third = ca.if_else(a < 0, x_cg - x_nose, ca.SX.nan())  # balance of moments
+    return ca.Function(
+        "a_third_follows_with_nose_wheel",
+        [a, x_cg, x_nose],
+        [a_third],
+        ["a", "x_cg", "x_nose"],
+        ["a_third"],
+    )
+
+
+@cache
+def B3_third_follows_with_tail_wheel() -> ca.Function:
+    """Cornering coefficient at no load, third (Eq. 4.30).
+
+    Inputs
+    ------
+    Ct : scalar [N/rad], cornering stiffness of the tail wheel
+    F_tail_load : scalar [N], vertical load on the tail wheel
+    B1_third : scalar [1], magic formula: stiffness factor, third
+    C1_third : scalar [1], magic formula: shape factor, third
+    D1_third : scalar [1], magic formula: peak factor, third
+
+    Outputs
+    -------
+    B3_third : 1 x 1, cornering coefficient at no load, third [1/rad]
+
+    Thesis
+    ------
+    Eq. 4.30
+    """
+    Ct = ca.SX.sym("Ct")
+    F_tail_load = ca.SX.sym("F_tail_load")
+    B1_third = ca.SX.sym("B1_third")
+    C1_third = ca.SX.sym("C1_third")
+    D1_third = ca.SX.sym("D1_third")
+    B3_third = ca.if_else(Ct*F_tail_load > 0, Ct/(B1_third*C1_third*D1_third*F_tail_load), ca.SX.nan())  # Eq. 4.30
+    return ca.Function(
+        "B3_third_follows_with_tail_wheel",
+        [Ct, F_tail_load, B1_third, C1_third, D1_third],
+        [B3_third],
+        ["Ct", "F_tail_load", "B1_third", "C1_third", "D1_third"],
+        ["B3_third"],
+    )
+
+
+@cache
+def C3_third_follows_with_tail_wheel() -> ca.Function:
+    """Its change with load, third (Eq. 4.30).
+
+    Inputs
+    ------
+    Ct : scalar [N/rad], cornering stiffness of the tail wheel
+    F_tail_load : scalar [N], vertical load on the tail wheel
+
+    Outputs
+    -------
+    C3_third : 1 x 1, its change with load, third [1/(rad N)]
+
+    Thesis
+    ------
+    Eq. 4.30
+    """
+    Ct = ca.SX.sym("Ct")
+    F_tail_load = ca.SX.sym("F_tail_load")
+    C3_third = ca.if_else(Ct*F_tail_load > 0, 0, ca.SX.nan())  # Eq. 4.30
+    return ca.Function(
+        "C3_third_follows_with_tail_wheel",
+        [Ct, F_tail_load],
+        [C3_third],
+        ["Ct", "F_tail_load"],
+        ["C3_third"],
     )
 
 

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 09d2faabb2fea236) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 406129565a3aaa86) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -80,7 +80,19 @@
 #define casadi_f61 CASADI_PREFIX(f61)
 #define casadi_f62 CASADI_PREFIX(f62)
 #define casadi_f63 CASADI_PREFIX(f63)
+#define casadi_f64 CASADI_PREFIX(f64)
+#define casadi_f65 CASADI_PREFIX(f65)
+#define casadi_f66 CASADI_PREFIX(f66)
+#define casadi_f67 CASADI_PREFIX(f67)
+#define casadi_f68 CASADI_PREFIX(f68)
+#define casadi_f69 CASADI_PREFIX(f69)
 #define casadi_f7 CASADI_PREFIX(f7)
+#define casadi_f70 CASADI_PREFIX(f70)
+#define casadi_f71 CASADI_PREFIX(f71)
+#define casadi_f72 CASADI_PREFIX(f72)
+#define casadi_f73 CASADI_PREFIX(f73)
+#define casadi_f74 CASADI_PREFIX(f74)
+#define casadi_f75 CASADI_PREFIX(f75)
 #define casadi_f8 CASADI_PREFIX(f8)
 #define casadi_f9 CASADI_PREFIX(f9)
 #define casadi_fmin CASADI_PREFIX(fmin)
@@ -4469,8 +4481,1332 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_F_tail_load_follows_with_nose_wheel_work_byte
   return 0;
 }
 
-/* p_rated_follows:(p_tire)->(p_rated) */
+/* a_third_follows_with_nose_wheel:(a,x_cg,x_nose)->(a_third) */
 static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a0=(a0<a1);
+  a1=arg[1]? arg[1][0] : 0;
+  a2=arg[2]? arg[2][0] : 0;
+  a1=(a1-a2);
+  a1=(a0?a1:0);
+  a0=(!a0);
+  a2=casadi_nan;
+  a0=(a0?a2:0);
+  a1=(a1+a0);
+  if (res[0]!=0) res[0][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int a_third_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f40(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int a_third_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void a_third_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void a_third_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void a_third_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int a_third_follows_with_nose_wheel_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int a_third_follows_with_nose_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real a_third_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* a_third_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* a_third_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "a_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* a_third_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* a_third_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int a_third_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int a_third_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_a_third_follows_with_nose_wheel:(a,x_cg,x_nose,out_a_third[1x1,0nz],fwd_a,fwd_x_cg,fwd_x_nose)->(fwd_a_third) */
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a0=(a0<a1);
+  a1=arg[5]? arg[5][0] : 0;
+  a2=arg[6]? arg[6][0] : 0;
+  a1=(a1-a2);
+  a0=(a0?a1:0);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_a_third_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f41(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_a_third_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_a_third_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_a_third_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_a_third_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_a_third_follows_with_nose_wheel_n_in(void) { return 7;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_a_third_follows_with_nose_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_a_third_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_a_third_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    case 3: return "out_a_third";
+    case 4: return "fwd_a";
+    case 5: return "fwd_x_cg";
+    case 6: return "fwd_x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_a_third_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_a_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_a_third_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_a_third_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_a_third_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_a_third_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_a_third_follows_with_nose_wheel:(a,x_cg,x_nose,out_a_third[1x1,0nz],adj_a_third)->(adj_a[1x1,0nz],adj_x_cg,adj_x_nose) */
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a0=(a0<a1);
+  a1=arg[4]? arg[4][0] : 0;
+  a2=(a0?a1:0);
+  if (res[1]!=0) res[1][0]=a2;
+  a1=(-a1);
+  a0=(a0?a1:0);
+  if (res[2]!=0) res[2][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_a_third_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f42(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_a_third_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_a_third_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_a_third_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_a_third_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_a_third_follows_with_nose_wheel_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_a_third_follows_with_nose_wheel_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_a_third_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_a_third_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    case 3: return "out_a_third";
+    case 4: return "adj_a_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_a_third_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_a";
+    case 1: return "adj_x_cg";
+    case 2: return "adj_x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_a_third_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_a_third_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_a_third_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_a_third_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_a_third_follows_with_nose_wheel:(a,x_cg,x_nose,out_a_third[1x1,0nz],adj_a_third,out_adj_a[1x1,0nz],out_adj_x_cg[1x1,0nz],out_adj_x_nose[1x1,0nz],fwd_a,fwd_x_cg,fwd_x_nose,fwd_out_a_third[1x1,0nz],fwd_adj_a_third)->(fwd_adj_a[1x1,0nz],fwd_adj_x_cg,fwd_adj_x_nose) */
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=0.;
+  a0=(a0<a1);
+  a1=arg[12]? arg[12][0] : 0;
+  a2=(a0?a1:0);
+  if (res[1]!=0) res[1][0]=a2;
+  a1=(-a1);
+  a0=(a0?a1:0);
+  if (res[2]!=0) res[2][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_third_follows_with_nose_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f43(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_third_follows_with_nose_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_a_third_follows_with_nose_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_a_third_follows_with_nose_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_a_third_follows_with_nose_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_a_third_follows_with_nose_wheel_n_in(void) { return 13;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_a_third_follows_with_nose_wheel_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_a_third_follows_with_nose_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_a_third_follows_with_nose_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "a";
+    case 1: return "x_cg";
+    case 2: return "x_nose";
+    case 3: return "out_a_third";
+    case 4: return "adj_a_third";
+    case 5: return "out_adj_a";
+    case 6: return "out_adj_x_cg";
+    case 7: return "out_adj_x_nose";
+    case 8: return "fwd_a";
+    case 9: return "fwd_x_cg";
+    case 10: return "fwd_x_nose";
+    case 11: return "fwd_out_a_third";
+    case 12: return "fwd_adj_a_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_a_third_follows_with_nose_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_a";
+    case 1: return "fwd_adj_x_cg";
+    case 2: return "fwd_adj_x_nose";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_a_third_follows_with_nose_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s1;
+    case 7: return casadi_s1;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s1;
+    case 12: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_a_third_follows_with_nose_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_third_follows_with_nose_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_a_third_follows_with_nose_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* B3_third_follows_with_tail_wheel:(Ct,F_tail_load,B1_third,C1_third,D1_third)->(B3_third) */
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4;
+  a0=0.;
+  a1=arg[0]? arg[0][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
+  a3=(a1*a2);
+  a0=(a0<a3);
+  a3=arg[2]? arg[2][0] : 0;
+  a4=arg[3]? arg[3][0] : 0;
+  a3=(a3*a4);
+  a4=arg[4]? arg[4][0] : 0;
+  a3=(a3*a4);
+  a3=(a3*a2);
+  a1=(a1/a3);
+  a1=(a0?a1:0);
+  a0=(!a0);
+  a3=casadi_nan;
+  a0=(a0?a3:0);
+  a1=(a1+a0);
+  if (res[0]!=0) res[0][0]=a1;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int B3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f44(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int B3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void B3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void B3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void B3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int B3_third_follows_with_tail_wheel_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int B3_third_follows_with_tail_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real B3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* B3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    case 2: return "B1_third";
+    case 3: return "C1_third";
+    case 4: return "D1_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* B3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "B3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* B3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* B3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int B3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int B3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_B3_third_follows_with_tail_wheel:(Ct,F_tail_load,B1_third,C1_third,D1_third,out_B3_third[1x1,0nz],fwd_Ct,fwd_F_tail_load,fwd_B1_third,fwd_C1_third,fwd_D1_third)->(fwd_B3_third) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
+  a0=0.;
+  a1=arg[0]? arg[0][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
+  a3=(a1*a2);
+  a0=(a0<a3);
+  a3=arg[6]? arg[6][0] : 0;
+  a4=arg[2]? arg[2][0] : 0;
+  a5=arg[3]? arg[3][0] : 0;
+  a6=(a4*a5);
+  a7=arg[4]? arg[4][0] : 0;
+  a8=(a6*a7);
+  a9=(a8*a2);
+  a3=(a3/a9);
+  a1=(a1/a9);
+  a1=(a1/a9);
+  a9=arg[8]? arg[8][0] : 0;
+  a5=(a5*a9);
+  a9=arg[9]? arg[9][0] : 0;
+  a4=(a4*a9);
+  a5=(a5+a4);
+  a7=(a7*a5);
+  a5=arg[10]? arg[10][0] : 0;
+  a6=(a6*a5);
+  a7=(a7+a6);
+  a2=(a2*a7);
+  a7=arg[7]? arg[7][0] : 0;
+  a8=(a8*a7);
+  a2=(a2+a8);
+  a1=(a1*a2);
+  a3=(a3-a1);
+  a0=(a0?a3:0);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_B3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f45(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_B3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_B3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_B3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_B3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_B3_third_follows_with_tail_wheel_n_in(void) { return 11;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_B3_third_follows_with_tail_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_B3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_B3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    case 2: return "B1_third";
+    case 3: return "C1_third";
+    case 4: return "D1_third";
+    case 5: return "out_B3_third";
+    case 6: return "fwd_Ct";
+    case 7: return "fwd_F_tail_load";
+    case 8: return "fwd_B1_third";
+    case 9: return "fwd_C1_third";
+    case 10: return "fwd_D1_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_B3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_B3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_B3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_B3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_B3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 11;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_B3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 11*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_B3_third_follows_with_tail_wheel:(Ct,F_tail_load,B1_third,C1_third,D1_third,out_B3_third[1x1,0nz],adj_B3_third)->(adj_Ct,adj_F_tail_load,adj_B1_third,adj_C1_third,adj_D1_third) */
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10;
+  a00=0.;
+  a01=arg[0]? arg[0][0] : 0;
+  a02=arg[1]? arg[1][0] : 0;
+  a03=(a01*a02);
+  a00=(a00<a03);
+  a03=arg[6]? arg[6][0] : 0;
+  a04=arg[2]? arg[2][0] : 0;
+  a05=arg[3]? arg[3][0] : 0;
+  a06=(a04*a05);
+  a07=arg[4]? arg[4][0] : 0;
+  a08=(a06*a07);
+  a09=(a08*a02);
+  a10=(a03/a09);
+  a10=(a00?a10:0);
+  if (res[0]!=0) res[0][0]=a10;
+  a01=(a01/a09);
+  a01=(a01/a09);
+  a01=(a01*a03);
+  a08=(a08*a01);
+  a08=(-a08);
+  a08=(a00?a08:0);
+  if (res[1]!=0) res[1][0]=a08;
+  a02=(a02*a01);
+  a07=(a07*a02);
+  a05=(a05*a07);
+  a05=(-a05);
+  a05=(a00?a05:0);
+  if (res[2]!=0) res[2][0]=a05;
+  a04=(a04*a07);
+  a04=(-a04);
+  a04=(a00?a04:0);
+  if (res[3]!=0) res[3][0]=a04;
+  a06=(a06*a02);
+  a06=(-a06);
+  a00=(a00?a06:0);
+  if (res[4]!=0) res[4][0]=a00;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_B3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f46(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_B3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_B3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_B3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_B3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_B3_third_follows_with_tail_wheel_n_in(void) { return 7;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_B3_third_follows_with_tail_wheel_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_B3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_B3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    case 2: return "B1_third";
+    case 3: return "C1_third";
+    case 4: return "D1_third";
+    case 5: return "out_B3_third";
+    case 6: return "adj_B3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_B3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_Ct";
+    case 1: return "adj_F_tail_load";
+    case 2: return "adj_B1_third";
+    case 3: return "adj_C1_third";
+    case 4: return "adj_D1_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_B3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_B3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_B3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_B3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_B3_third_follows_with_tail_wheel:(Ct,F_tail_load,B1_third,C1_third,D1_third,out_B3_third[1x1,0nz],adj_B3_third,out_adj_Ct[1x1,0nz],out_adj_F_tail_load[1x1,0nz],out_adj_B1_third[1x1,0nz],out_adj_C1_third[1x1,0nz],out_adj_D1_third[1x1,0nz],fwd_Ct,fwd_F_tail_load,fwd_B1_third,fwd_C1_third,fwd_D1_third,fwd_out_B3_third[1x1,0nz],fwd_adj_B3_third)->(fwd_adj_Ct,fwd_adj_F_tail_load,fwd_adj_B1_third,fwd_adj_C1_third,fwd_adj_D1_third) */
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
+  a00=0.;
+  a01=arg[0]? arg[0][0] : 0;
+  a02=arg[1]? arg[1][0] : 0;
+  a03=(a01*a02);
+  a00=(a00<a03);
+  a03=arg[18]? arg[18][0] : 0;
+  a04=arg[2]? arg[2][0] : 0;
+  a05=arg[3]? arg[3][0] : 0;
+  a06=(a04*a05);
+  a07=arg[4]? arg[4][0] : 0;
+  a08=(a06*a07);
+  a09=(a08*a02);
+  a10=(a03/a09);
+  a11=arg[6]? arg[6][0] : 0;
+  a12=(a11/a09);
+  a12=(a12/a09);
+  a13=arg[14]? arg[14][0] : 0;
+  a14=(a05*a13);
+  a15=arg[15]? arg[15][0] : 0;
+  a16=(a04*a15);
+  a14=(a14+a16);
+  a16=(a07*a14);
+  a17=arg[16]? arg[16][0] : 0;
+  a18=(a06*a17);
+  a16=(a16+a18);
+  a18=(a02*a16);
+  a19=arg[13]? arg[13][0] : 0;
+  a20=(a08*a19);
+  a18=(a18+a20);
+  a12=(a12*a18);
+  a10=(a10-a12);
+  a10=(a00?a10:0);
+  if (res[0]!=0) res[0][0]=a10;
+  a01=(a01/a09);
+  a10=(a01/a09);
+  a12=(a10*a11);
+  a16=(a12*a16);
+  a20=arg[12]? arg[12][0] : 0;
+  a20=(a20/a09);
+  a01=(a01/a09);
+  a01=(a01*a18);
+  a20=(a20-a01);
+  a20=(a20/a09);
+  a09=(a10/a09);
+  a09=(a09*a18);
+  a20=(a20-a09);
+  a11=(a11*a20);
+  a10=(a10*a03);
+  a11=(a11+a10);
+  a08=(a08*a11);
+  a16=(a16+a08);
+  a16=(-a16);
+  a16=(a00?a16:0);
+  if (res[1]!=0) res[1][0]=a16;
+  a16=(a02*a12);
+  a08=(a07*a16);
+  a15=(a08*a15);
+  a17=(a16*a17);
+  a12=(a12*a19);
+  a02=(a02*a11);
+  a12=(a12+a02);
+  a07=(a07*a12);
+  a17=(a17+a07);
+  a05=(a05*a17);
+  a15=(a15+a05);
+  a15=(-a15);
+  a15=(a00?a15:0);
+  if (res[2]!=0) res[2][0]=a15;
+  a08=(a08*a13);
+  a04=(a04*a17);
+  a08=(a08+a04);
+  a08=(-a08);
+  a08=(a00?a08:0);
+  if (res[3]!=0) res[3][0]=a08;
+  a16=(a16*a14);
+  a06=(a06*a12);
+  a16=(a16+a06);
+  a16=(-a16);
+  a00=(a00?a16:0);
+  if (res[4]!=0) res[4][0]=a00;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_B3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f47(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_B3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_B3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_B3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_B3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_B3_third_follows_with_tail_wheel_n_in(void) { return 19;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_B3_third_follows_with_tail_wheel_n_out(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_B3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_B3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    case 2: return "B1_third";
+    case 3: return "C1_third";
+    case 4: return "D1_third";
+    case 5: return "out_B3_third";
+    case 6: return "adj_B3_third";
+    case 7: return "out_adj_Ct";
+    case 8: return "out_adj_F_tail_load";
+    case 9: return "out_adj_B1_third";
+    case 10: return "out_adj_C1_third";
+    case 11: return "out_adj_D1_third";
+    case 12: return "fwd_Ct";
+    case 13: return "fwd_F_tail_load";
+    case 14: return "fwd_B1_third";
+    case 15: return "fwd_C1_third";
+    case 16: return "fwd_D1_third";
+    case 17: return "fwd_out_B3_third";
+    case 18: return "fwd_adj_B3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_B3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_Ct";
+    case 1: return "fwd_adj_F_tail_load";
+    case 2: return "fwd_adj_B1_third";
+    case 3: return "fwd_adj_C1_third";
+    case 4: return "fwd_adj_D1_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_B3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s1;
+    case 8: return casadi_s1;
+    case 9: return casadi_s1;
+    case 10: return casadi_s1;
+    case 11: return casadi_s1;
+    case 12: return casadi_s0;
+    case 13: return casadi_s0;
+    case 14: return casadi_s0;
+    case 15: return casadi_s0;
+    case 16: return casadi_s0;
+    case 17: return casadi_s1;
+    case 18: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_B3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_B3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 19;
+  if (sz_res) *sz_res = 5;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_B3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 19*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 5*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* C3_third_follows_with_tail_wheel:(Ct,F_tail_load)->(C3_third) */
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=0.;
+  a1=arg[0]? arg[0][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
+  a1=(a1*a2);
+  a0=(a0<a1);
+  a0=(!a0);
+  a1=casadi_nan;
+  a0=(a0?a1:0);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int C3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f48(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int C3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void C3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void C3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void C3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int C3_third_follows_with_tail_wheel_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int C3_third_follows_with_tail_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real C3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* C3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* C3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "C3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* C3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* C3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int C3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int C3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_C3_third_follows_with_tail_wheel:(Ct,F_tail_load,out_C3_third[1x1,0nz],fwd_Ct,fwd_F_tail_load)->(fwd_C3_third) */
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0;
+  a0=0.;
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_C3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f49(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_C3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_C3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_C3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_C3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_C3_third_follows_with_tail_wheel_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_C3_third_follows_with_tail_wheel_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_C3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_C3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    case 2: return "out_C3_third";
+    case 3: return "fwd_Ct";
+    case 4: return "fwd_F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_C3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_C3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_C3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_C3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_C3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_C3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_C3_third_follows_with_tail_wheel:(Ct,F_tail_load,out_C3_third[1x1,0nz],adj_C3_third)->(adj_Ct[1x1,0nz],adj_F_tail_load[1x1,0nz]) */
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_C3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f50(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_C3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_C3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_C3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_C3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_C3_third_follows_with_tail_wheel_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_C3_third_follows_with_tail_wheel_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_C3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_C3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    case 2: return "out_C3_third";
+    case 3: return "adj_C3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_C3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_Ct";
+    case 1: return "adj_F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_C3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_C3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    case 1: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_C3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_C3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_C3_third_follows_with_tail_wheel:(Ct,F_tail_load,out_C3_third[1x1,0nz],adj_C3_third,out_adj_Ct[1x1,0nz],out_adj_F_tail_load[1x1,0nz],fwd_Ct,fwd_F_tail_load,fwd_out_C3_third[1x1,0nz],fwd_adj_C3_third)->(fwd_adj_Ct[1x1,0nz],fwd_adj_F_tail_load[1x1,0nz]) */
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C3_third_follows_with_tail_wheel(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f51(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C3_third_follows_with_tail_wheel_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_C3_third_follows_with_tail_wheel_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_C3_third_follows_with_tail_wheel_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_C3_third_follows_with_tail_wheel_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_C3_third_follows_with_tail_wheel_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_C3_third_follows_with_tail_wheel_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_C3_third_follows_with_tail_wheel_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C3_third_follows_with_tail_wheel_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Ct";
+    case 1: return "F_tail_load";
+    case 2: return "out_C3_third";
+    case 3: return "adj_C3_third";
+    case 4: return "out_adj_Ct";
+    case 5: return "out_adj_F_tail_load";
+    case 6: return "fwd_Ct";
+    case 7: return "fwd_F_tail_load";
+    case 8: return "fwd_out_C3_third";
+    case 9: return "fwd_adj_C3_third";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_C3_third_follows_with_tail_wheel_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_Ct";
+    case 1: return "fwd_adj_F_tail_load";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C3_third_follows_with_tail_wheel_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_C3_third_follows_with_tail_wheel_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    case 1: return casadi_s1;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C3_third_follows_with_tail_wheel_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_C3_third_follows_with_tail_wheel_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* p_rated_follows:(p_tire)->(p_rated) */
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=arg[0]? arg[0][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -4478,7 +5814,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int p_rated_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int p_rated_follows_checkout(void) {
@@ -4549,7 +5885,7 @@ CASADI_SYMBOL_EXPORT int p_rated_follows_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* fwd1_p_rated_follows:(p_tire,out_p_rated[1x1,0nz],fwd_p_tire)->(fwd_p_rated) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=arg[2]? arg[2][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -4557,7 +5893,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_p_rated_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f53(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_p_rated_follows_checkout(void) {
@@ -4632,7 +5968,7 @@ CASADI_SYMBOL_EXPORT int fwd1_p_rated_follows_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* adj1_p_rated_follows:(p_tire,out_p_rated[1x1,0nz],adj_p_rated)->(adj_p_tire) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=arg[2]? arg[2][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -4640,7 +5976,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_p_rated_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f54(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_p_rated_follows_checkout(void) {
@@ -4715,7 +6051,7 @@ CASADI_SYMBOL_EXPORT int adj1_p_rated_follows_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_adj1_p_rated_follows:(p_tire,out_p_rated[1x1,0nz],adj_p_rated,out_adj_p_tire[1x1,0nz],fwd_p_tire,fwd_out_p_rated[1x1,0nz],fwd_adj_p_rated)->(fwd_adj_p_tire) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=arg[6]? arg[6][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -4723,7 +6059,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_p_rated_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f43(arg, res, iw, w, mem);
+  return casadi_f55(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_p_rated_follows_checkout(void) {
@@ -4806,7 +6142,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_p_rated_follows_work_bytes(casadi_int *sz_arg
 }
 
 /* delta_tire_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z)->(delta_tire) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6;
   a0=arg[2]? arg[2][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -4850,7 +6186,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int delta_tire_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f44(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int delta_tire_follows_checkout(void) {
@@ -4931,7 +6267,7 @@ CASADI_SYMBOL_EXPORT int delta_tire_follows_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_delta_tire_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,out_delta_tire[1x1,0nz],fwd_Fz,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z)->(fwd_delta_tire) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22;
   a00=arg[0]? arg[0][0] : 0;
@@ -5019,7 +6355,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_delta_tire_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_delta_tire_follows_checkout(void) {
@@ -5114,7 +6450,7 @@ CASADI_SYMBOL_EXPORT int fwd1_delta_tire_follows_work_bytes(casadi_int *sz_arg, 
 }
 
 /* adj1_delta_tire_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,out_delta_tire[1x1,0nz],adj_delta_tire)->(adj_Fz,adj_d_tire,adj_w_tire,adj_p_tire,adj_p_rated,adj_C_z) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21;
   a00=arg[0]? arg[0][0] : 0;
@@ -5204,7 +6540,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_delta_tire_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_delta_tire_follows_checkout(void) {
@@ -5299,7 +6635,7 @@ CASADI_SYMBOL_EXPORT int adj1_delta_tire_follows_work_bytes(casadi_int *sz_arg, 
 }
 
 /* fwd1_adj1_delta_tire_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,out_delta_tire[1x1,0nz],adj_delta_tire,out_adj_Fz[1x1,0nz],out_adj_d_tire[1x1,0nz],out_adj_w_tire[1x1,0nz],out_adj_p_tire[1x1,0nz],out_adj_p_rated[1x1,0nz],out_adj_C_z[1x1,0nz],fwd_Fz,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z,fwd_out_delta_tire[1x1,0nz],fwd_adj_delta_tire)->(fwd_adj_Fz,fwd_adj_d_tire,fwd_adj_w_tire,fwd_adj_p_tire,fwd_adj_p_rated,fwd_adj_C_z) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -5501,7 +6837,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_delta_tire_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f59(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_delta_tire_follows_checkout(void) {
@@ -5624,7 +6960,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_delta_tire_follows_work_bytes(casadi_int *sz_
 }
 
 /* sigma_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z)->(sigma) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[2]? arg[2][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -5702,7 +7038,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int sigma_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f48(arg, res, iw, w, mem);
+  return casadi_f60(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int sigma_follows_checkout(void) {
@@ -5783,7 +7119,7 @@ CASADI_SYMBOL_EXPORT int sigma_follows_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* fwd1_sigma_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,out_sigma[1x1,0nz],fwd_Fz,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z)->(fwd_sigma) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30;
@@ -5935,7 +7271,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_sigma_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f49(arg, res, iw, w, mem);
+  return casadi_f61(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_sigma_follows_checkout(void) {
@@ -6030,7 +7366,7 @@ CASADI_SYMBOL_EXPORT int fwd1_sigma_follows_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* adj1_sigma_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,out_sigma[1x1,0nz],adj_sigma)->(adj_Fz,adj_d_tire,adj_w_tire,adj_p_tire,adj_p_rated,adj_C_z) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -6187,7 +7523,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_sigma_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_sigma_follows_checkout(void) {
@@ -6282,7 +7618,7 @@ CASADI_SYMBOL_EXPORT int adj1_sigma_follows_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_adj1_sigma_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,out_sigma[1x1,0nz],adj_sigma,out_adj_Fz[1x1,0nz],out_adj_d_tire[1x1,0nz],out_adj_w_tire[1x1,0nz],out_adj_p_tire[1x1,0nz],out_adj_p_rated[1x1,0nz],out_adj_C_z[1x1,0nz],fwd_Fz,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z,fwd_out_sigma[1x1,0nz],fwd_adj_sigma)->(fwd_adj_Fz,fwd_adj_d_tire,fwd_adj_w_tire,fwd_adj_p_tire,fwd_adj_p_rated,fwd_adj_C_z) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -6630,7 +7966,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_sigma_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_sigma_follows_checkout(void) {
@@ -6753,7 +8089,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_sigma_follows_work_bytes(casadi_int *sz_arg, 
 }
 
 /* C3_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,C_N)->(C3) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12;
   a00=arg[6]? arg[6][0] : 0;
@@ -6847,7 +8183,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int C3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int C3_follows_checkout(void) {
@@ -6930,7 +8266,7 @@ CASADI_SYMBOL_EXPORT int C3_follows_work_bytes(casadi_int *sz_arg, casadi_int* s
 }
 
 /* fwd1_C3_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,C_N,out_C3[1x1,0nz],fwd_Fz,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z,fwd_C_N)->(fwd_C3) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -7130,7 +8466,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_C3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f53(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_C3_follows_checkout(void) {
@@ -7229,7 +8565,7 @@ CASADI_SYMBOL_EXPORT int fwd1_C3_follows_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* adj1_C3_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,C_N,out_C3[1x1,0nz],adj_C3)->(adj_Fz,adj_d_tire,adj_w_tire,adj_p_tire,adj_p_rated,adj_C_z,adj_C_N) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -7428,7 +8764,7 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_C3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f54(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_C3_follows_checkout(void) {
@@ -7527,7 +8863,7 @@ CASADI_SYMBOL_EXPORT int adj1_C3_follows_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* fwd1_adj1_C3_follows:(Fz,d_tire,w_tire,p_tire,p_rated,C_z,C_N,out_C3[1x1,0nz],adj_C3,out_adj_Fz[1x1,0nz],out_adj_d_tire[1x1,0nz],out_adj_w_tire[1x1,0nz],out_adj_p_tire[1x1,0nz],out_adj_p_rated[1x1,0nz],out_adj_C_z[1x1,0nz],out_adj_C_N[1x1,0nz],fwd_Fz,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z,fwd_C_N,fwd_out_C3[1x1,0nz],fwd_adj_C3)->(fwd_adj_Fz,fwd_adj_d_tire,fwd_adj_w_tire,fwd_adj_p_tire,fwd_adj_p_rated,fwd_adj_C_z,fwd_adj_C_N) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -8018,7 +9354,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_C3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_C3_follows_checkout(void) {
@@ -8149,7 +9485,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_C3_follows_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* B3_follows:(Fz,C3,d_tire,w_tire,p_tire,p_rated,C_z,C_N)->(B3) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[7]? arg[7][0] : 0;
   a1=arg[3]? arg[3][0] : 0;
@@ -8222,7 +9558,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int B3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f68(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int B3_follows_checkout(void) {
@@ -8307,7 +9643,7 @@ CASADI_SYMBOL_EXPORT int B3_follows_work_bytes(casadi_int *sz_arg, casadi_int* s
 }
 
 /* fwd1_B3_follows:(Fz,C3,d_tire,w_tire,p_tire,p_rated,C_z,C_N,out_B3[1x1,0nz],fwd_Fz,fwd_C3,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z,fwd_C_N)->(fwd_B3) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -8462,7 +9798,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_B3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f69(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_B3_follows_checkout(void) {
@@ -8565,7 +9901,7 @@ CASADI_SYMBOL_EXPORT int fwd1_B3_follows_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* adj1_B3_follows:(Fz,C3,d_tire,w_tire,p_tire,p_rated,C_z,C_N,out_B3[1x1,0nz],adj_B3)->(adj_Fz,adj_C3,adj_d_tire,adj_w_tire,adj_p_tire,adj_p_rated,adj_C_z,adj_C_N) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -8720,7 +10056,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_B3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f58(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_B3_follows_checkout(void) {
@@ -8823,7 +10159,7 @@ CASADI_SYMBOL_EXPORT int adj1_B3_follows_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* fwd1_adj1_B3_follows:(Fz,C3,d_tire,w_tire,p_tire,p_rated,C_z,C_N,out_B3[1x1,0nz],adj_B3,out_adj_Fz[1x1,0nz],out_adj_C3[1x1,0nz],out_adj_d_tire[1x1,0nz],out_adj_w_tire[1x1,0nz],out_adj_p_tire[1x1,0nz],out_adj_p_rated[1x1,0nz],out_adj_C_z[1x1,0nz],out_adj_C_N[1x1,0nz],fwd_Fz,fwd_C3,fwd_d_tire,fwd_w_tire,fwd_p_tire,fwd_p_rated,fwd_C_z,fwd_C_N,fwd_out_B3[1x1,0nz],fwd_adj_B3)->(fwd_adj_Fz,fwd_adj_C3,fwd_adj_d_tire,fwd_adj_w_tire,fwd_adj_p_tire,fwd_adj_p_rated,fwd_adj_C_z,fwd_adj_C_N) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -9182,7 +10518,7 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_B3_follows(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f59(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_B3_follows_checkout(void) {
@@ -9321,7 +10657,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_B3_follows_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* Ct_follows_from_size:(F_tail_load,C_z,C_N,d_tail,w_tail,p_tail)->(Ct) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
   a0=1.4399999999999999e+00;
   a1=arg[2]? arg[2][0] : 0;
@@ -9387,7 +10723,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int Ct_follows_from_size(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int Ct_follows_from_size_checkout(void) {
@@ -9468,7 +10804,7 @@ CASADI_SYMBOL_EXPORT int Ct_follows_from_size_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_Ct_follows_from_size:(F_tail_load,C_z,C_N,d_tail,w_tail,p_tail,out_Ct[1x1,0nz],fwd_F_tail_load,fwd_C_z,fwd_C_N,fwd_d_tail,fwd_w_tail,fwd_p_tail)->(fwd_Ct) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33;
@@ -9604,7 +10940,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_Ct_follows_from_size(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f73(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_Ct_follows_from_size_checkout(void) {
@@ -9699,7 +11035,7 @@ CASADI_SYMBOL_EXPORT int fwd1_Ct_follows_from_size_work_bytes(casadi_int *sz_arg
 }
 
 /* adj1_Ct_follows_from_size:(F_tail_load,C_z,C_N,d_tail,w_tail,p_tail,out_Ct[1x1,0nz],adj_Ct)->(adj_F_tail_load,adj_C_z,adj_C_N,adj_d_tail,adj_w_tail,adj_p_tail) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34;
@@ -9836,7 +11172,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_Ct_follows_from_size(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f74(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_Ct_follows_from_size_checkout(void) {
@@ -9931,7 +11267,7 @@ CASADI_SYMBOL_EXPORT int adj1_Ct_follows_from_size_work_bytes(casadi_int *sz_arg
 }
 
 /* fwd1_adj1_Ct_follows_from_size:(F_tail_load,C_z,C_N,d_tail,w_tail,p_tail,out_Ct[1x1,0nz],adj_Ct,out_adj_F_tail_load[1x1,0nz],out_adj_C_z[1x1,0nz],out_adj_C_N[1x1,0nz],out_adj_d_tail[1x1,0nz],out_adj_w_tail[1x1,0nz],out_adj_p_tail[1x1,0nz],fwd_F_tail_load,fwd_C_z,fwd_C_N,fwd_d_tail,fwd_w_tail,fwd_p_tail,fwd_out_Ct[1x1,0nz],fwd_adj_Ct)->(fwd_adj_F_tail_load,fwd_adj_C_z,fwd_adj_C_N,fwd_adj_d_tail,fwd_adj_w_tail,fwd_adj_p_tail) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -10248,7 +11584,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows_from_size(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f75(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_Ct_follows_from_size_checkout(void) {
