@@ -25,9 +25,10 @@ from groundroll.derive.emit import pack as emitted
 from groundroll.derive.emit.catalogue import Pack
 from groundroll.derive.models.landing_roll import LANDING_ROLL
 from groundroll.derive.models.rolling import wheels
-from groundroll.derive.parts.friction import Tire, alpha, grip, mu, radt
+from groundroll.derive.parts.friction import Tire, alpha, grip, radt
 from groundroll.derive.parts.gear import surface
 from groundroll.derive.parts.third_wheel import third_wheel
+from groundroll.derive.parts.tires import mu
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 

@@ -12,8 +12,9 @@ from groundroll.derive.core.frames import i, j
 from groundroll.derive.core.part import Event, Felt, Force, Law, Part
 from groundroll.derive.core.quantity import Quantity
 
-from .friction import Slip, Tire, V_x, V_y, across, along, alpha, ellipse, mu, slipping
+from .friction import Slip, Tire, V_x, V_y, across, along, alpha, ellipse, slipping
 from .leg import Leg, depth, stand
+from .tires import mu
 
 F_x = Quantity("F_x", "wheel_drag", "N", "lengthwise force on the wheel, backward", "F_x")
 F_y = Quantity("F_y", "wheel_side_force", "N", "side force on the wheel, to the left", "F_y")
