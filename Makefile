@@ -13,19 +13,25 @@ PYTHONS ?= $(shell for p in $(NEWER); do if $$p -c "" 2>/dev/null; then echo $$p
 .PHONY: study derive compile test lint types drift unit pythons release docs bench clean help
 
 study: compile  ## every table and figure of the thesis, into ./study (the default)
-	$(BIN)/groundroll study --out study
+	@echo "running the study ..."
+	@$(BIN)/groundroll study --out study
 
 $(STAMP): pyproject.toml
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --upgrade pip
-	$(BIN)/python -m pip install --quiet --editable ".[$(EXTRA)]"
-	touch $@
+	@echo "making an environment in $(VENV) ..."
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --upgrade pip
+	@echo "installing groundroll and what it needs there (about 1 GB, a few minutes) ..."
+	@$(BIN)/python -m pip install --progress-bar off --editable ".[$(EXTRA)]" > $(VENV)/install.log \
+	    || { cat $(VENV)/install.log; false; }
+	@touch $@
 
 derive: $(STAMP)  ## regenerate the equations: generated/ from derive/
-	$(BIN)/python -m groundroll.derive
+	@echo "deriving the equations ..."
+	@$(BIN)/python -m groundroll.derive
 
 compile: $(STAMP) derive  ## compile every generated function into the user's cache
-	$(BIN)/python -c "from groundroll.generated import PACKS; [p.load(f) for p in PACKS.values() for f in p.functions]"
+	@echo "compiling what is not in the cache yet ..."
+	@$(BIN)/python -c "from groundroll.generated import PACKS; [p.compiled(f) for p in PACKS.values() for f in p.functions]"
 
 test: lint types drift docs unit  ## everything that proves it
 

@@ -52,3 +52,21 @@ def test_code_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pytest.Mon
                 else:
                     assert program in ("cc", "./roll"), line
                     subprocess.run([program, *arguments], check=True)
+
+
+FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<![\\$])\$([^$\n]+?)\$", re.DOTALL)
+SHEETS = sorted((ROOT / "generated").glob("*/EQUATIONS.md"))
+
+
+@pytest.mark.parametrize("page", [*PAGES, *SHEETS], ids=lambda p: f"{p.parent.name}-{p.stem}")
+def test_formulas_become_what_a_browser_draws_by_itself(page: Path) -> None:
+    """As docs/conf.py does; what it does not know it leaves as it is."""
+    convert = pytest.importorskip("latex2mathml.converter").convert
+    for match in FORMULA.finditer(page.read_text(encoding="utf-8")):
+        assert "\\" not in convert(match[1] or match[2]), match[0]
+
+
+def test_pages_fetch_nothing() -> None:
+    settings = (ROOT / "docs" / "conf.py").read_text(encoding="utf-8")
+    styles = [path.read_text(encoding="utf-8") for path in (ROOT / "docs/_static").iterdir()]
+    assert not [text for text in (settings, *styles) if "mathjax" in text or "http" in text]
