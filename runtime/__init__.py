@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .linearization import Linearization, OperatingPoint, linearize
     from .maps import StabilityMap, stability_map
     from .metrics import Metrics
+    from .motion import signals
     from .placement import Envelope, InfeasibleError, Limits, Placement, place_gear
     from .response import (
         FrequencyResponse,
@@ -112,8 +113,8 @@ _HOME = {
     "trim": "trimming",
 }
 
-#: Public modules, imported on first use too.
-_MODULES = ("gusts",)
+#: Public modules, imported on first use too -> where they are.
+_MODULES = {"gusts": "gusts", "signals": "motion.signals"}
 
 __all__ = [
     "Aircraft",
@@ -159,6 +160,7 @@ __all__ = [
     "pole_map",
     "root_locus",
     "runway_view",
+    "signals",
     "simulate",
     "solver",
     "speed_window",
@@ -176,7 +178,7 @@ def __getattr__(name: str) -> Any:
 
         return version(__name__)
     if name in _MODULES:
-        return importlib.import_module(f".{name}", __name__)
+        return importlib.import_module(f".{_MODULES[name]}", __name__)
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f".{_HOME[name]}", __name__), name)

@@ -14,6 +14,7 @@ from .arrays import FloatArray
 from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
 from .motion.lanes import STATUS
+from .motion.signals import Polynomials
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
 
@@ -23,7 +24,9 @@ _NAMED = {
     "samples": "samples",
     "largest": "extremes",
     "first": "limits",
+    "when": "events",
 }
+_PLAIN = ("status", "steps", "estimate", "end", "fate")
 _ABOUT = ("t", "tol", "limits", "within")
 
 
@@ -62,8 +65,10 @@ class Ensemble(Listed, Result):
         What rolled, its parameters arrays where they vary.
     model : str or Model
         Which model.
-    start, inputs : mapping of str to ndarray
-        Initial states and constant inputs by symbol.
+    start : mapping of str to ndarray
+        Initial states by symbol.
+    inputs : mapping of str to ndarray or Signal
+        Inputs by symbol, constant or over time.
     t, tol : float
         Duration, s, and the error asked for.
     status : ndarray of int8
@@ -74,6 +79,10 @@ class Ensemble(Listed, Result):
         Steps that were tried; 0 where that is not known (without a C compiler).
     estimate : ndarray
         Estimated error relative to each state's scale; NaN where that is not known.
+    end : ndarray
+        When each trajectory ended, s.
+    fate : ndarray of int8
+        Which event ended it, an index of the names in `events`; -1 if none did.
     final : mapping of str to ndarray
         States at the end; NaN unless the status is ``ok`` or ``unsure``.
     at : ndarray, shape (times,)
@@ -82,6 +91,9 @@ class Ensemble(Listed, Result):
         States and outputs at those times; NaN after an early end.
     largest, first : mapping of str to ndarray
         Largest magnitude, and the first time, s, at which it reached its limit: infinite if never.
+        What misses a limit by no more than the tolerance has reached it.
+    events : mapping of str to ndarray
+        When each event first happened, s; infinite if never.
     limits, within : mapping of str to float
         What was asked for.
     """
@@ -89,17 +101,20 @@ class Ensemble(Listed, Result):
     aircraft: Aircraft
     model: ModelLike
     start: Mapping[str, FloatArray]
-    inputs: Mapping[str, FloatArray]
+    inputs: Mapping[str, Any]
     t: float
     tol: float
     status: npt.NDArray[np.int8]
     steps: npt.NDArray[np.int32]
     estimate: FloatArray
+    end: FloatArray
+    fate: npt.NDArray[np.int8]
     final: Named
     at: FloatArray
     samples: Named
     largest: Named
     first: Named
+    events: Mapping[str, FloatArray]
     limits: Mapping[str, float]
     within: Mapping[str, float]
 
@@ -129,6 +144,9 @@ class Ensemble(Listed, Result):
             "status": Column(runs, self.status, names=STATUS),
             "steps": Column(runs, self.steps),
             "estimate": Column(runs, self.estimate),
+            "end": Column(runs, self.end, "s", "end of the trajectory"),
+            "fate": Column(runs, self.fate),
+            **{f"when_{s}": Column(runs, v, "s", f"first {s}") for s, v in self.events.items()},
             **{f"{final}{s}": measured(runs, v, q[s]) for s, v in self.final.items()},
             **{f"largest_{s}": measured(runs, v, q[s]) for s, v in self.largest.items()},
             **{f"first_{s}": Column(runs, v, "s", f"passed {s}") for s, v in self.first.items()},
@@ -136,14 +154,16 @@ class Ensemble(Listed, Result):
         if self.at.size:
             results["t"] = time_axis(self.at)
         results |= {s: measured((*runs, "t"), v, q[s]) for s, v in self.samples.items()}
-        given = {**{f"{s}0": v for s, v in self.start.items()}, **self.inputs}
-        about = {name: getattr(self, name) for name in _ABOUT}
+        signals = {s: v.packed() for s, v in self.inputs.items() if isinstance(v, Polynomials)}
+        constant = {s: v for s, v in self.inputs.items() if s not in signals}
+        given = {**{f"{s}0": v for s, v in self.start.items()}, **constant}
+        about = {name: getattr(self, name) for name in _ABOUT} | {"signals": signals}
         return Record("ensemble", self.aircraft, model, runs, results, given=given, about=about)
 
     @classmethod
     def _of(cls, record: Record) -> Ensemble:
         results = dict(record.results)
-        plain = {name: results.pop(name).values for name in ("status", "steps", "estimate")}
+        plain = {name: results.pop(name).values for name in _PLAIN}
         at = results.pop("t", time_axis(np.empty(0))).values
         found: dict[str, dict[str, FloatArray]] = {name: {} for name in _NAMED}
         for name, column in results.items():
@@ -151,20 +171,25 @@ class Ensemble(Listed, Result):
             if kind not in _NAMED:
                 kind, s = ("samples" if "t" in column.dims else "final"), name
             found[kind][s] = column.values
-        key = record.model.key
-        named: dict[str, Any] = {s: Named(found[s], words, key) for s, words in _NAMED.items()}
+        key, events = record.model.key, found.pop("when")
+        named: dict[str, Any] = {s: Named(found[s], _NAMED[s], key) for s in found}
+        about = dict(record.about)
+        signals = {s: Polynomials.unpacked(v) for s, v in about.pop("signals").items()}
         inputs = record.model.inputs
         return cls(
             aircraft=record.aircraft,
             model=key,
             start={s[:-1]: v for s, v in record.given.items() if s not in inputs},
-            inputs={s: record.given[s] for s in inputs},
+            inputs={s: signals[s] if s in signals else record.given[s] for s in inputs},
             status=plain["status"].astype(np.int8),
             steps=plain["steps"].astype(np.int32),
             estimate=plain["estimate"],
+            end=plain["end"],
+            fate=plain["fate"].astype(np.int8),
             at=at,
+            events=events,
             **named,
-            **record.about,
+            **about,
         )
 
     def _title(self) -> str:

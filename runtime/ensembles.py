@@ -2,22 +2,33 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from concurrent.futures import Executor
-from functools import partial
-from typing import Any
+from dataclasses import replace
+from typing import Any, TypeVar
+
+import numpy as np
+import numpy.typing as npt
 
 from .aircraft import Aircraft
-from .chunks import cut, run, thread_count
-from .ensemble_plan import plan, watching
-from .ensemble_result import Ensemble
-from .memory import check_memory
-from .models import ModelLike
-from .motion import lanes
-from .motion.lanes import Outcome, Task
-from .motion.virtual import integrate_in_vm
-from .progress import Progress, counted
+from .arrays import FloatArray, finite, positive, whole
+from .ensemble_result import Ensemble, Named
+from .errors import GroundrollError
+from .models import Model, ModelLike, as_model
+from .motion.engine import integrated
+from .motion.events import Lookout, lookout
+from .motion.lanes import STATUS, Outcome
+from .motion.plan import Plan, planned
+from .names import listed
+from .progress import Progress
+from .values import given
+
+Number = TypeVar("Number", bound=np.generic)
+
+#: Status of a trajectory that left a range.
+_LEFT = STATUS.index("left the range")
+#: Most trajectories in a chunk.
+_CHUNK = 65_536
 
 
 def ensemble(
@@ -30,10 +41,12 @@ def ensemble(
     extremes: Iterable[str] = (),
     limits: Mapping[str, float | str] | None = None,
     within: Mapping[str, float | str] | None = None,
+    events: str | Iterable[str] = (),
+    until: str | Iterable[str] = (),
     tol: float = 1e-6,
     threads: int | None = None,
     executor: Executor | None = None,
-    chunk: int = 65_536,
+    chunk: int = _CHUNK,
     progress: Progress = None,
     **values: Any,
 ) -> Ensemble:
@@ -61,7 +74,11 @@ def ensemble(
     limits : mapping of str to float, optional
         Magnitudes whose first passing is wanted, by state or output, SI units with radians.
     within : mapping of str to float, optional
-        Magnitudes beyond which a trajectory ends, with the status ``left the range``.
+        Magnitudes at which a trajectory ends, with the status ``left the range``.
+    events : str or iterable of str
+        Events of the model whose first time is wanted.
+    until : str or iterable of str
+        Events of the model at which a trajectory ends, with a state and a time.
     tol : float
         Error of every state relative to its largest magnitude on the trajectory (at least 1e-6
         in SI units), from 1e-11 to 1e-3. It is kept as measured, not as proven: the error is
@@ -78,10 +95,10 @@ def ensemble(
         Most trajectories in one chunk.
     progress : callable or bool, optional
         Called with the numbers of trajectories done and in all; True draws a bar on a terminal.
-    **values : float or array
-        Parameters by symbol or full name (``a``, ``speed``), ``disturbance``, and initial states
-        by symbol and a zero (``v0``, ``psi0``; zero if omitted). Arrays broadcast with each other
-        and with the aircraft's own.
+    **values : float, array, str, Signal or callable
+        Parameters by symbol or full name (``a``, ``speed``), inputs (``disturbance``), constant or
+        over time (see `groundroll.signals`), and initial states by symbol and a zero (``v0``,
+        ``psi0``; zero if omitted). Arrays broadcast with each other and with the aircraft's own.
 
     Returns
     -------
@@ -94,34 +111,86 @@ def ensemble(
         For unknown names, values that cannot be, shapes that do not broadcast, or more memory
         than there is, before any work starts.
     """
-    asked = plan(plane, t, model, at, names, tol, chunk, values)
-    asked = watching(asked, extremes, limits or {}, within or {})
-    count = thread_count(threads if executor is None or threads is not None else 1)
-    total = math.prod(asked.shape)
-    check_memory(asked.bytes_each * total, "the results")
-    chunks = cut(total, asked.chunk)
-    if len(chunks) > 1 and asked.follows:
-        for each in chunks:
-            asked.task(each)  # what cannot be is found before any work starts
-    result = asked.empty_result()
-    work, keep = partial(_integrate, threads=count), partial(_keep, result)
-    with counted(progress, "trajectories", total) as done:
-        run(work, chunks, asked.task, keep, done.add, executor)
-    return asked.shaped(result)
+    model = as_model(model)
+    duration, times = positive("t", t, "s"), _times(at, t)
+    sorted_out = given(plane, model, values, "ensemble", over_time=True)
+    wanted = _names(model, names, times, sorted_out.states)
+    look = lookout(model, extremes, limits, within, events, until)
+    plan = replace(
+        planned(sorted_out, model, duration, tol, times),
+        sampled=wanted if times.size else (),
+        final=tuple(s for s in wanted if s in model.states),
+        watches=look.watches(model),
+    )
+    found = integrated(
+        plan,
+        threads=threads,
+        executor=executor,
+        chunk=whole("chunk", chunk, 1),
+        progress=progress,
+    )
+    return _shaped(plan, look, found)
 
 
-def _integrate(task: Task, threads: int) -> Outcome:
-    """One chunk, wherever this runs."""
-    if lanes.can_compile(task.model):
-        return lanes.integrate(task, threads)
-    return integrate_in_vm(task)
+def _names(
+    model: Model, names: Iterable[str] | None, times: FloatArray, start: Mapping[str, Any]
+) -> tuple[str, ...]:
+    """What is wanted; every state but the path over the ground unless it is given a start."""
+    if names is None:
+        least = model.carried[max(0, len(model.carried) - 2)]
+        return least if start.keys() <= set(least) else model.states
+    allowed = (*model.states, *model.outputs) if times.size else model.states
+    wanted = (model.symbol(n, "name", allowed, "names") for n in listed("names", names))
+    return tuple(dict.fromkeys(wanted))
 
 
-def _keep(result: Outcome, chunk: range, found: Outcome) -> None:
-    """Put what came of a chunk where it belongs."""
-    where = slice(chunk.start, chunk.stop)
-    for name in ("status", "steps", "estimate", "end", "cause", "largest", "first"):
-        getattr(result, name)[..., where] = getattr(found, name)
-    for kind in ("final", "samples"):
-        for name, array in getattr(result, kind).items():
-            array[where] = getattr(found, kind)[name]
+def _times(at: Any, t: Any) -> FloatArray:
+    if at is None:
+        return np.empty(0)
+    duration = positive("t", t, "s")
+    times = np.atleast_1d(finite("at", at, "s"))
+    if times.ndim != 1 or times.size == 0 or (np.diff(times) <= 0).any():
+        raise GroundrollError("at must be a list of increasing times")
+    if times[0] < 0 or times[-1] > duration:
+        raise GroundrollError(
+            f"at must lie within 0 to t = {duration:g} s, not {times[0]:g} to {times[-1]:g} s"
+        )
+    return times
+
+
+def _shaped(plan: Plan, look: Lookout, found: Outcome) -> Ensemble:
+    """The result in the shape of the trajectories."""
+
+    def shaped(array: npt.NDArray[Number]) -> npt.NDArray[Number]:
+        return array.reshape((*plan.shape, *array.shape[1:]))
+
+    def named(names: Iterable[str], arrays: Iterable[FloatArray], what: str) -> Named:
+        each = zip(names, arrays, strict=False)
+        return Named({name: shaped(array) for name, array in each}, what, plan.model.key)
+
+    first = dict(zip(look.extremes, found.first, strict=False))
+    event = look.first_event
+    left = (found.cause >= 0) & (found.cause < event)
+    for state in found.final.values():
+        state[left] = np.nan
+    return Ensemble(
+        aircraft=plan.aircraft,
+        model=plan.model.key,
+        start=plan.start,
+        inputs={**plan.inputs, **plan.signals},
+        t=plan.t,
+        tol=plan.tol,
+        status=shaped(np.where(left, _LEFT, found.status).astype(np.int8)),
+        steps=shaped(found.steps),
+        estimate=shaped(found.estimate),
+        end=shaped(found.end),
+        fate=shaped(np.maximum(found.cause - event, -1).astype(np.int8)),
+        final=named(found.final, found.final.values(), "final states"),
+        at=plan.at,
+        samples=named(found.samples, found.samples.values(), "samples"),
+        largest=named(look.extremes, found.largest, "extremes"),
+        first=named(look.limits, (first[s] for s in look.limits), "limits"),
+        events=dict(zip(look.events, map(shaped, found.first[event:]), strict=True)),
+        limits=dict(look.limits),
+        within=dict(look.within),
+    )

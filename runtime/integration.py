@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
-from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -24,18 +23,6 @@ _LONGEST = {"rk45": 1.0, "rk4": 0.01}
 
 #: Bytes that CasADi takes for each call of the compiled integrator in a path, as measured.
 _CALL_BYTES = 8_000
-
-#: Steps under an input that varies start at this length, s, or at what lies between outputs and
-#: breaks if that is less, and are halved until they agree.
-_FIRST_STEP = 0.02
-_HALVINGS = 8
-#: They agree when no state changes by more than this share of its largest magnitude: as the error
-#: falls with the fourth power of the step, that of the finer ones is then a fifteenth of it.
-_AGREED = 1e-9
-#: A step samples the input at the two Gauss points; the held values of its two halves are these
-#: means of the samples.
-_POINTS = 0.5 + np.array([-1.0, 1.0]) / math.sqrt(12.0)
-_MEANS = 0.5 + np.array([[1.0, -1.0], [-1.0, 1.0]]) / math.sqrt(3.0)
 
 
 def integrator(
@@ -115,139 +102,6 @@ def _integrator(
         ["x0", "u", "p"],
         ["xf"],
     )
-
-
-def integrate(
-    model: ModelLike, method: str, t: FloatArray, x0: FloatArray, u: FloatArray, p: FloatArray
-) -> FloatArray:
-    """States of several runs, each under a constant input.
-
-    Parameters
-    ----------
-    model, method : str
-        As for `integrator`.
-    t : ndarray, shape (N,)
-        Output times, s, positive and increasing.
-    x0, u, p : ndarray, shapes (n, runs), (inputs, runs), (m, runs)
-        Initial states, inputs and parameters, one column for each run.
-
-    Returns
-    -------
-    ndarray, shape (runs, n, N)
-
-    Raises
-    ------
-    GroundrollError
-        If a run leaves the numbers; the message says which.
-    """
-    F = integrator(model, method, t)
-    runs = range(x0.shape[1])
-    return np.stack([_advance(F, x0[:, k], u[:, k], p[:, k], k, len(runs)) for k in runs])
-
-
-def integrate_varying(
-    model: ModelLike,
-    method: str,
-    t: FloatArray,
-    x0: FloatArray,
-    u: Callable[[FloatArray], FloatArray],
-    p: FloatArray,
-    breaks: Sequence[float] = (),
-) -> FloatArray:
-    """States of several runs under inputs that vary over time.
-
-    The compiled integrators hold their input over an interval. Each step here is two such
-    intervals whose held inputs are means of two samples, so chosen that the result is of fourth
-    order in the step for every input that enters the equations linearly, as forces do (a
-    commutator-free Magnus method: Blanes and Moan, Appl. Numer. Math. 56, 2006, 1519). Steps end
-    at each break. For ``rk45`` they are halved until no state changes by more than 1e-9 of its
-    largest magnitude, which leaves an error below that (1e-13 to 1e-10 in the tests, against
-    SciPy with the input as it is); for ``rk4`` they are 0.01 s.
-
-    Parameters
-    ----------
-    model, method, t, x0, p
-        As for `integrate`.
-    u : callable
-        From times, s, shape (k,), to inputs, shape (inputs, runs, k).
-    breaks : sequence of float
-        Times, s, at which an input or one of its derivatives jumps.
-
-    Returns
-    -------
-    ndarray, shape (runs, n, N)
-
-    Raises
-    ------
-    GroundrollError
-        If a run leaves the numbers, or halving the steps doesn't settle it.
-    """
-    runs = x0.shape[1]
-
-    def states(longest: float, halvings: int, which: Sequence[int]) -> FloatArray:
-        edges = _edges(t, breaks, longest, 2**halvings)
-        ends = np.stack([(edges[:-1] + edges[1:]) / 2, edges[1:]], axis=1).ravel()
-        F = integrator(model, method, ends, piecewise=True)
-        held, outputs = _held(u, edges), np.searchsorted(ends, t)
-        paths = [_advance(F, x0[:, k], held[:, k], p[:, k], k, runs) for k in which]
-        return np.stack(paths)[:, :, outputs]
-
-    if method != "rk45":
-        return states(_LONGEST[method], 0, range(runs))
-    x = states(_FIRST_STEP, 0, range(runs))
-    unsettled = np.arange(runs)
-    for halvings in range(1, _HALVINGS + 1):
-        fine = states(_FIRST_STEP, halvings, unsettled.tolist())
-        change, size = np.abs(fine - x[unsettled]).max(axis=2), np.abs(fine).max(axis=2)
-        x[unsettled] = fine
-        unsettled = unsettled[(change > _AGREED * size).any(axis=1)]
-        if unsettled.size == 0:
-            return x
-    raise GroundrollError(
-        f"run {unsettled[0]} of {runs}: the disturbance varies too quickly to be resolved in steps"
-        f" of {_FIRST_STEP / 2**_HALVINGS * 1e3:.2g} ms"
-    )
-
-
-def _advance(
-    F: ca.Function, x0: FloatArray, u: FloatArray, p: FloatArray, run: int, runs: int
-) -> FloatArray:
-    try:
-        x = np.array(F(x0, u, p), dtype=np.float64)
-    except RuntimeError as problem:
-        raise GroundrollError(
-            f"run {run} of {runs}: the integration failed; the motion grows without bound"
-        ) from problem
-    if not np.isfinite(x).all():
-        raise GroundrollError(
-            f"run {run} of {runs}: the motion grows beyond what a number can hold"
-        )
-    return x
-
-
-def _edges(times: FloatArray, breaks: Sequence[float], longest: float, parts: int) -> FloatArray:
-    """Ends of the steps, from 0 to the last output time: all outputs, all breaks, and between.
-
-    Steps no longer than `longest` are divided into so many parts.
-    """
-    tiny = 1e-12 * times[-1]
-    inner = np.array([b for b in breaks if tiny < b < times[-1] and np.abs(times - b).min() > tiny])
-    marks = np.union1d(np.concatenate([[0.0], times]), inner)
-    pieces = parts * np.maximum(1, np.ceil(np.diff(marks) / longest - 1e-9)).astype(int)
-    _check_room(2 * sum(pieces.tolist()))
-    steps = [
-        np.linspace(begin, end, n, endpoint=False)
-        for (begin, end), n in zip(pairwise(marks.tolist()), pieces.tolist(), strict=True)
-    ]
-    return np.concatenate([*steps, times[-1:]])
-
-
-def _held(u: Callable[[FloatArray], FloatArray], edges: FloatArray) -> FloatArray:
-    """What to hold over the two halves of each step, shape (inputs, runs, 2 steps)."""
-    points = edges[:-1, None] + np.diff(edges)[:, None] * _POINTS
-    samples = u(points.ravel())
-    halves = samples.reshape(*samples.shape[:2], -1, 2) @ _MEANS
-    return np.asarray(halves.reshape(samples.shape))
 
 
 def _check_room(calls: int) -> None:

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, as_inputs, finite, positive, whole
-from .errors import unknown
-from .evaluate import columns
-from .gusts import Gust, as_gust, sampled
-from .integration import integrate, integrate_varying
+from .arrays import FloatArray, positive, whole
+from .errors import GroundrollError
 from .listing import Listed, span, unit_of
 from .memory import check_memory
-from .models import Model, ModelLike, as_model
-from .records import Record, measured, run_dims, time_axis
+from .models import ModelLike, as_model
+from .motion.engine import integrated
+from .motion.events import Lookout, lookout
+from .motion.lanes import STATUS, Outcome
+from .motion.plan import Plan, planned
+from .motion.signals import Polynomials, Signal
+from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
+from .values import given
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,19 +46,43 @@ class Trajectory(Listed, Result):
         What was simulated, at the speed of the run.
     model : str or Model
         Which model.
-    disturbance : ndarray
-        Side force on the tail, N: constant, or over time, shape (*shape, samples), if `gust` is
-        given. ``run["disturbance"]`` is the series over time either way.
-    gust : Gust, optional
-        What varied over time; see `groundroll.gusts`.
+    signals : mapping of str to Signal
+        The inputs that varied over time, by symbol; see `groundroll.signals`.
+    status : ndarray of int8
+        What became of each run, an index of `STATUS`: ``ok``; ``not finite`` and ``step limit``
+        (it grew without bound, and is NaN from there on); ``unsure`` (its estimated error stayed
+        above the tolerance).
+    end : ndarray
+        When each run ended, s: at the last sample, or when an event ended it.
+    fate : ndarray of int8
+        Which event ended it, an index of the names in `events`; -1 if none did.
+    events : mapping of str to ndarray
+        When each event of the model first happened, s; infinite if never.
     """
 
     t: FloatArray
     values: Mapping[str, FloatArray]
     aircraft: Aircraft
     model: ModelLike
-    disturbance: FloatArray
-    gust: Gust | None = None
+    signals: Mapping[str, Signal] = field(default_factory=dict)
+    status: npt.NDArray[np.int8] = field(default_factory=lambda: np.zeros((), np.int8))
+    end: FloatArray = field(default_factory=lambda: np.array(np.nan))
+    fate: npt.NDArray[np.int8] = field(default_factory=lambda: np.full((), -1, np.int8))
+    events: Mapping[str, FloatArray] = field(default_factory=dict)
+
+    #: Names of the values of `status`.
+    STATUS = STATUS
+
+    @property
+    def gust(self) -> Signal | None:
+        """The first input of the model, if it varied over time."""
+        return self.signals.get(as_model(self.model).inputs[0])
+
+    @property
+    def disturbance(self) -> FloatArray:
+        """The first input of the model: constant, or over time if it varied."""
+        first = as_model(self.model).inputs[0]
+        return self.values[first] if first in self.signals else self.values[first][..., 0]
 
     def __getitem__(self, name: str) -> FloatArray:
         return self.values[
@@ -81,32 +109,37 @@ class Trajectory(Listed, Result):
         return time_history(self, names, ax)
 
     def _record(self) -> Record:
-        runs = run_dims(self["v"].shape[:-1])
-        model = as_model(self.model)
-        series = {
-            s: measured((*runs, "t"), values, model.quantities[s])
-            for s, values in self.values.items()
+        runs, model = run_dims(self.status.shape), as_model(self.model)
+        results = {
+            "t": time_axis(self.t),
+            **{
+                s: measured((*runs, "t"), values, model.quantities[s])
+                for s, values in self.values.items()
+            },
+            "status": Column(runs, self.status, names=STATUS),
+            "end": Column(runs, self.end, "s", "end of the run"),
+            "fate": Column(runs, self.fate),
+            **{f"when_{s}": Column(runs, v, "s", f"first {s}") for s, v in self.events.items()},
         }
-        about: dict[str, Any] = {"disturbance": "constant"}
-        if self.gust is not None:
-            ended = bool((self.gust.end <= self.t[-1]).all())
-            about |= {"disturbance": self.gust.label, "ended": ended}
-        results = {"t": time_axis(self.t), **series}
+        signals = {s: signal.over(self.t[-1]).packed() for s, signal in self.signals.items()}
+        about = {"signals": signals}
         return Record("trajectory", self.aircraft, model, runs, results, per=("t",), about=about)
 
     @classmethod
     def _of(cls, record: Record) -> Trajectory:
-        """As it was; a disturbance that varied over time comes back as its samples."""
-        t, about = record["t"], record.about
-        values = {s: record[s] for s in record.results if s != "t"}
-        (force,) = (values[s] for s in record.model.inputs)
-        plane, model = record.aircraft, record.model.key
-        if "ended" not in about:
-            return cls(t, values, plane, model, force[..., 0])
-        lines = sampled(t, force)
-        end = lines.end if about["ended"] else np.asarray(np.inf)
-        gust = replace(lines, label=f"{about['disturbance']} (its samples)", end=end)
-        return cls(t, values, plane, model, force, gust)
+        columns = record.results
+        values = {s: column.values for s, column in columns.items() if "t" in column.dims}
+        return cls(
+            values.pop("t"),
+            values,
+            record.aircraft,
+            record.model.key,
+            {s: Polynomials.unpacked(data) for s, data in record.about["signals"].items()},
+            record["status"].astype(np.int8),
+            record["end"],
+            record["fate"].astype(np.int8),
+            {s[5:]: column.values for s, column in columns.items() if s.startswith("when_")},
+        )
 
     def _repr_html_(self) -> str:
         from .notebook import sparkline, table
@@ -124,9 +157,10 @@ class Trajectory(Listed, Result):
         return f"Trajectory of {whose}, 0 to {self.t[-1]:g} s, {self.t.size} samples{many}"
 
     def _rows(self) -> Iterable[Sequence[str]]:
+        last = np.maximum((self.t <= self.end[..., None]).sum(axis=-1) - 1, 0)[..., None]
         for s, series in self.values.items():
-            end = f"at the end {span(series[..., -1])}"
-            peak = f"largest {np.abs(series).max():.5g}"
+            end = f"at the end {span(np.take_along_axis(series, last, axis=-1))}"
+            peak = f"largest {np.nanmax(np.abs(series)):.5g}"
             q = as_model(self.model).quantities[s]
             yield s, q.name, peak, end, unit_of(q)
 
@@ -137,36 +171,35 @@ def simulate(
     *,
     t: float | str = 5.0,
     samples: int = 501,
-    speed: Any = None,
-    disturbance: Any = 0.0,
-    method: str = "rk45",
-    **initial: Any,
+    until: str | Iterable[str] = (),
+    tol: float = 1e-9,
+    **values: Any,
 ) -> Trajectory:
-    """Simulate the ground roll of an aircraft, hands off.
+    """Simulate the ground roll of an aircraft.
 
-    As everywhere, a number may be a string with a unit: ``v0="1 kt"``, ``disturbance="70 lbf"``.
+    As everywhere, a number may be a text with a unit: ``v0="1 kt"``, ``disturbance="70 lbf"``.
 
     Parameters
     ----------
     plane : Aircraft
         The aircraft; its parameters may be arrays.
     model : str or Model
-        ``"linear"`` or ``"nonlinear"``.
+        ``"linear"``, ``"nonlinear"``, another that ships, or one of your own.
     t : float
         Duration, s.
     samples : int
         Number of equally spaced samples, the first at 0 and the last at `t`.
-    speed : float or array, optional
-        Forward speed, m/s; default the aircraft's own.
-    disturbance : float, array, Gust or callable
-        Side force on the vertical tail, N, positive to the right: constant, or over time as a
-        gust of `groundroll.gusts` or a function from an array of times, s, to an array of forces.
-    method : str
-        ``"rk45"`` or ``"rk4"``; see `integrator`, and `integration.integrate_varying` for a
-        disturbance that varies.
-    **initial : float or array
-        Initial states by symbol and a zero: ``v0``, ``r0``, ``y0``, ``theta0``, ``X0``, ``Y0``,
-        ``psi0``; zero if omitted.
+    until : str or iterable of str
+        Events of the model at which a run ends; NaN from there on.
+    tol : float
+        Error of every state relative to its largest magnitude in the run; as for
+        `groundroll.ensemble`.
+    **values : float, array, str, Signal or callable
+        By symbol or full name: inputs (``disturbance``, N), constant or over time as one of
+        `groundroll.signals` or `groundroll.gusts` or as a function from an array of times, s, to
+        an array of values; parameters that differ from the aircraft's (``speed``); and initial
+        states, by symbol and a zero (``v0``, ``psi0``; zero if omitted). Arrays broadcast with
+        each other and with the aircraft's own.
 
     Returns
     -------
@@ -176,55 +209,60 @@ def simulate(
     Raises
     ------
     GroundrollError
-        For unknown names, values that cannot be, or a run that leaves the numbers.
+        For unknown names, values that cannot be, or if every run leaves the numbers. If some do,
+        a warning says which, and they are NaN from there on.
     """
-    names = as_model(model)
+    known = as_model(model)
     duration, count = positive("t", t, "s"), whole("samples", samples, 2)
-    check_memory(8 * count * len((*names.states, *names.outputs, *names.inputs)), "the series")
-    aircraft = plane if speed is None else plane.replace(u=speed)
+    rows = (*known.states, *known.outputs)
+    check_memory(8 * count * len((*rows, *known.inputs)), "the series")
+    options = ("t", "samples", "until", "tol")
+    sorted_out = given(plane, known, values, "simulate", others=options, over_time=True)
+    look = lookout(known, events=[event.name for event in known.events], until=until)
     times = np.linspace(0.0, duration, count)
-    start = _initial_state(initial, names)
-    gust = as_gust(disturbance)
-    force = finite("disturbance", disturbance, "N") if gust is None else gust(times)
-    at_start = force if gust is None else force[..., 0]
-    p, flat, shape = aircraft.columns(model, disturbance=at_start, **start)
-    x0 = np.stack([flat[key] for key in start])
-    if gust is None:
-        constant = as_inputs(model, flat["disturbance"])
-        after = integrate(model, method, times[1:], x0, constant, p)
-        u = np.repeat(constant[:, :, None], times.size, axis=2)
-    else:
-        gust.refuse_jumps(duration)
-        inputs = partial(gust.on_runs, model, shape)
-        after = integrate_varying(model, method, times[1:], x0, inputs, p, gust.breaks)
-        u = inputs(times)
-    x = np.concatenate([x0.T[:, :, None], after], axis=2)
-    series = np.concatenate([x, _outputs(model, x, u, p), np.moveaxis(u, 0, 1)], axis=1)
-    values = {
-        name: series[:, i].reshape(*shape, times.size)
-        for i, name in enumerate((*names.states, *names.outputs, *names.inputs))
-    }
-    return Trajectory(times, values, aircraft, names.key, force, gust)
+    plan = replace(
+        planned(sorted_out, known, duration, tol, times),
+        sampled=rows,
+        watches=look.watches(known),
+    )
+    found = integrated(plan)
+    _report(found)
+    return _shaped(plan, look, found)
 
 
-def _outputs(model: ModelLike, x: FloatArray, u: FloatArray, p: FloatArray) -> FloatArray:
-    """Outputs over time, shape (runs, outputs, samples)."""
-    samples, outputs = x.shape[2], as_model(model).function("outputs")
-    rows = [
-        columns(
-            outputs,
-            x[k],
-            u[:, k],
-            np.repeat(p[:, k, None], samples, axis=1),
-        )
-        for k in range(len(x))
-    ]
-    return np.stack([y[:, :, 0].T for (y,) in rows])
+def _report(found: Outcome) -> None:
+    """Say which runs have left the numbers; raise an error if none has not."""
+    lost = np.flatnonzero((found.status != 0) & (found.status != STATUS.index("unsure")))
+    if lost.size == 0:
+        return
+    runs = found.status.size
+    text = (
+        f"run {lost[0]} of {runs}: the motion grows beyond what a number can hold, or too fast to"
+        f" be followed, at t = {found.end[lost[0]]:.4g} s"
+    )
+    if lost.size == runs:
+        raise GroundrollError(text)
+    more = f", and so in {lost.size - 1} others" if lost.size > 1 else ""
+    warnings.warn(f"{text}{more}; NaN from there on", RuntimeWarning, stacklevel=3)
 
 
-def _initial_state(initial: Mapping[str, Any], model: Model) -> dict[str, FloatArray]:
-    allowed = {f"{s}0": model.quantities[s].unit for s in model.states}
-    for name in initial:
-        if name not in allowed:
-            raise unknown("argument", name, [*allowed, "speed", "disturbance"], "simulate")
-    return {key: finite(key, initial.get(key, 0.0), unit) for key, unit in allowed.items()}
+def _shaped(plan: Plan, look: Lookout, found: Outcome) -> Trajectory:
+    """The result in the shape of the runs."""
+    shape, times = plan.shape, plan.at
+    values = {s: series.reshape((*shape, times.size)) for s, series in found.samples.items()}
+    after = times > found.end.reshape((*shape, 1))
+    for s in plan.model.inputs:
+        level = plan.signals[s](times) if s in plan.signals else plan.inputs[s][..., None]
+        values[s] = np.where(after, np.nan, level)
+    events = {s: when.reshape(shape) for s, when in zip(look.events, found.first, strict=True)}
+    return Trajectory(
+        times,
+        values,
+        plan.aircraft,
+        plan.model.key,
+        plan.signals,
+        found.status.reshape(shape),
+        found.end.reshape(shape),
+        found.cause.reshape(shape),
+        events,
+    )

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from .arrays import FloatArray, finite
-from .ensemble_plan import check_tolerance
 from .errors import GroundrollError
 from .generated import Pack
 from .models import ModelLike, as_model
 from .motion import lanes
 from .motion.lanes import Stepper, Task
+from .motion.plan import tolerance
 from .motion.virtual import integrate_in_vm
 from .names import listed, symbol
 
@@ -71,10 +71,10 @@ def solver(
     wanted = tuple(
         dict.fromkeys(symbol(n, "name", allowed, "names") for n in listed("names", names))
     )
-    tolerance = check_tolerance(tol)
+    accuracy = tolerance(tol)
     if lanes.can_compile(model):
-        return Stepper(model, times, tolerance, wanted)
-    return partial(_solve_in_vm, model, times, tolerance, wanted)
+        return Stepper(model, times, accuracy, wanted)
+    return partial(_solve_in_vm, model, times, accuracy, wanted)
 
 
 def _solve_in_vm(

@@ -73,7 +73,7 @@ def test_a_kick_takes_units() -> None:
     [
         (lambda p: gr.solver(t=[]), "increasing times"),
         (lambda p: gr.solver(names="psi"), "names must be a list of names, not 'psi'"),
-        (lambda p: gr.gusts.of_time(3), "force must be a function"),
+        (lambda p: gr.gusts.of_time(3), "must be a function of an array of times"),
         (lambda p: gr.root_locus(p, "a", 3.0), "list that increases or decreases"),
         (lambda p: gr.step_response(gr.linearize(p), "v", t=[1, 2]), "t must be a positive number"),
         (lambda p: gr.sweep(p, v0=1.0), "unknown parameter 'v0' in sweep"),

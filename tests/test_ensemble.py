@@ -8,6 +8,7 @@ import pickle
 import subprocess
 import sys
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -18,10 +19,12 @@ from oracles import MODELS, right_hand_side
 from scipy.integrate import solve_ivp
 
 import groundroll as gr
-from groundroll import ensembles, memory
-from groundroll.ensemble_plan import plan
-from groundroll.motion import lanes
+from groundroll import memory
+from groundroll.models import as_model
+from groundroll.motion import engine, lanes
+from groundroll.motion.plan import planned
 from groundroll.motion.virtual import integrate_in_vm
+from groundroll.values import given as given_to
 
 PLANE = gr.Aircraft.load("brott-physical")
 FIELDS = ("final", "samples", "largest", "first")
@@ -234,7 +237,9 @@ def test_broken_lanes_are_told_and_leave_the_others_alone():
 
 
 def plan_of(values: dict[str, np.ndarray]):
-    return plan(PLANE, 3.0, "nonlinear", None, None, 1e-6, 65_536, values)
+    model = as_model("nonlinear")
+    made = planned(given_to(PLANE, model, values, "test"), model, 3.0, 1e-6, np.empty(0))
+    return replace(made, final=model.carried[1])
 
 
 def test_what_leaves_the_range_ends_there():
@@ -349,14 +354,14 @@ def test_progress_counts_trajectories_and_interrupts():
 def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
     """No task holds more than a chunk, and no more than a few wait."""
     alive: list[int] = []
-    work = ensembles._integrate
+    work = engine.integrate
 
     def counted(task: lanes.Task, threads: int) -> lanes.Outcome:
         alive.append(task.count)
         assert all(array.size in (1, task.count) for array in task.x0.values())
         return work(task, threads)
 
-    monkeypatch.setattr(ensembles, "_integrate", counted)
+    monkeypatch.setattr(engine, "integrate", counted)
     gr.ensemble(PLANE, 0.1, r0=np.linspace(-1, 1, 300)[:, None], v0=np.ones(10), chunk=256)
     assert sum(alive) == 3000
     assert max(alive) == 256
@@ -397,7 +402,7 @@ def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
 def test_mistakes_are_named_before_any_work(
     arguments: dict[str, object], message: str, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setattr(ensembles, "run", lambda *args: pytest.fail("work was started"))
+    monkeypatch.setattr(engine, "integrate", lambda *args: pytest.fail("work was started"))
     with pytest.raises(gr.GroundrollError, match=message):
         gr.ensemble(PLANE, **arguments)
 
@@ -413,7 +418,7 @@ def test_more_memory_than_there_is_is_refused(monkeypatch: pytest.MonkeyPatch):
 
 def test_what_cannot_follow_is_found_before_any_work(monkeypatch: pytest.MonkeyPatch):
     """A CG behind the tail leaves no load on a main tire."""
-    monkeypatch.setattr(ensembles, "run", lambda *args: pytest.fail("work was started"))
+    monkeypatch.setattr(engine, "integrate", lambda *args: pytest.fail("work was started"))
     stations = np.where(np.arange(100) == 99, 6.0, 0.38)
     with pytest.raises(gr.GroundrollError, match="must be positive"):
         gr.ensemble(PLANE, x_cg=stations, v0=0.1, chunk=32)

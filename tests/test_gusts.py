@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 
 import groundroll as gr
 from groundroll import gusts
-from groundroll.integration import integrate_varying
+from groundroll.motion.signals import Signal
 
 T = np.linspace(0.0, 4.0, 41)
 AIRCRAFT = {
@@ -38,7 +38,7 @@ def plane() -> gr.Aircraft:
     return gr.Aircraft.load("brott-physical")
 
 
-def oracle(plane: gr.Aircraft, model: str, gust: gusts.Gust, x0: Array, times: Array = T) -> Array:
+def oracle(plane: gr.Aircraft, model: str, gust: Signal, x0: Array, times: Array = T) -> Array:
     """States by SciPy with the input as it is, piece by piece between its breaks."""
     f, p = right_hand_side(model), plane.parameters(model)
     ends = [0.0, *(b for b in gust.breaks if 0 < b < times[-1]), times[-1]]
@@ -74,26 +74,12 @@ def test_a_gust_is_integrated_as_well_as_a_constant(
     exact = oracle(pushed, model, GUSTS[name], x0)
     found = np.array([run[s] for s in ("v", "r", "y", "theta", "X", "Y", "psi")])
     assert error(found, exact) < 1e-9
-    assert run["disturbance"] == pytest.approx(GUSTS[name](T), abs=0)
+    assert run["disturbance"] == pytest.approx(GUSTS[name](T), rel=1e-11, abs=1e-9)
     assert run["a_y"] == pytest.approx(run["sum_F"] / plane["m"], rel=1e-12)
-
-
-def test_steps_are_of_fourth_order(plane: gr.Aircraft) -> None:
-    """With the halving of steps switched off, by way of rk4 on a grid finer than its own."""
-    gust, x0 = GUSTS["smooth"], np.array([0.05, 0, 0, 0, 0, 0, 0])
-    p = plane.parameters("nonlinear")[:, None]
-    exact = oracle(plane, "nonlinear", gust, x0)[:, -1]
-    errors = []
-    for steps in (400, 800):
-        t = np.linspace(0.0, T[-1], steps + 1)[1:]
-        x = integrate_varying("nonlinear", "rk4", t, x0[:, None], lambda t: gust(t)[None, None], p)
-        errors.append(np.abs(x[0, :, -1] - exact).max())
-    assert 12 < errors[0] / errors[1] < 20
 
 
 @pytest.mark.parametrize("samples", [3, 101])
 def test_a_short_gust_is_not_lost_between_samples(plane: gr.Aircraft, samples: int) -> None:
-    """Steps are halved from those between samples and breaks, however close these are."""
     gust, x0 = gusts.one_minus_cosine(peak=9000.0, start=0.5, length=0.01), np.zeros(7)
     run = gr.simulate(plane, disturbance=gust, t=1.0, samples=samples)
     exact = oracle(plane, "nonlinear", gust, x0, run.t)
@@ -101,44 +87,43 @@ def test_a_short_gust_is_not_lost_between_samples(plane: gr.Aircraft, samples: i
     assert error(np.array([run[s] for s in moved]), exact[:4]) < 1e-9
 
 
-def test_a_jump_that_is_not_declared_is_noticed(plane: gr.Aircraft) -> None:
+def test_a_jump_that_is_not_declared_is_found(plane: gr.Aircraft) -> None:
     def jump(t: Array) -> Array:
         return 500.0 * (t > 0.123456)
 
-    for samples in (3, 11, 501):
-        with pytest.raises(gr.GroundrollError, match=r"function jump jumps near t = 0.123.*breaks"):
-            gr.simulate(plane, disturbance=jump, t=1.0, samples=samples)
-    declared = gr.simulate(plane, disturbance=gusts.of_time(jump, [0.123456]), t=1.0, samples=3)
-    step = gr.simulate(plane, disturbance=gusts.step(500.0, 0.123456), t=1.0, samples=3)
-    assert declared["v"] == pytest.approx(step["v"], rel=1e-12)
+    step = gr.simulate(plane, disturbance=gusts.step(500.0, 0.123456), t=1.0, samples=11)
+    for force in (jump, gusts.of_time(jump, [0.123456])):
+        run = gr.simulate(plane, disturbance=force, t=1.0, samples=11)
+        assert np.abs(run["v"] - step["v"]).max() < 2e-9 * np.abs(step["v"]).max()
 
 
-@pytest.mark.parametrize(("power", "word"), [(0, "jumps"), (1, "has a kink"), (2, "curvature")])
+@pytest.mark.parametrize("power", [0, 1, 2])
 @pytest.mark.parametrize("at", [0.303, 0.123456, 0.98765])
-def test_what_is_not_smooth_is_noticed(
-    plane: gr.Aircraft, power: int, word: str, at: float
-) -> None:
+def test_what_is_not_smooth_is_found(plane: gr.Aircraft, power: int, at: float) -> None:
     def force(t: Array) -> Array:
         return 100 * np.sin(5 * t) + 9e3 * np.where(t > at, (t - at) ** power, 0.0)
 
-    with pytest.raises(
-        gr.GroundrollError, match=rf"function force .*{word} near t = {str(at)[:4]}"
-    ):
-        gr.simulate(plane, disturbance=force, t=1.0, samples=11)
-    gr.simulate(plane, disturbance=gusts.of_time(force, [at]), t=1.0, samples=11)
+    found = gr.simulate(plane, disturbance=force, t=1.0, samples=11)
+    told = gr.simulate(plane, disturbance=gusts.of_time(force, [at]), t=1.0, samples=11)
+    for s in ("v", "r", "y", "theta"):
+        assert np.abs(found[s] - told[s]).max() < 2e-9 * np.abs(told[s]).max()
 
 
-def test_a_force_too_quick_to_be_resolved_is_refused(plane: gr.Aircraft) -> None:
-    gust = gusts.Gust(lambda t: 1e5 * np.sin(4e4 * t))
-    with pytest.raises(gr.GroundrollError, match=r"run 0 of 1: .* varies too quickly"):
-        gr.simulate(plane, disturbance=gust, t=0.1, samples=3)
+def test_a_force_too_quick_to_be_followed_is_refused(plane: gr.Aircraft) -> None:
+    rng = np.random.default_rng(1)
+
+    def quick(t: Array) -> Array:
+        return rng.normal(size=t.size)
+
+    with pytest.raises(gr.GroundrollError, match=r"function quick varies too quickly .* t = "):
+        gr.simulate(plane, disturbance=quick, t=0.1, samples=3)
 
 
 def test_a_function_of_time_that_is_constant_is_a_constant(plane: gr.Aircraft) -> None:
     by_function = gr.simulate(plane, disturbance=lambda t: np.full(t.shape, 80.0), t=1.0)
     constant = gr.simulate(plane, disturbance=80.0, t=1.0)
     assert by_function["Y"] == pytest.approx(constant["Y"], rel=1e-9, abs=1e-12)
-    assert by_function.disturbance == pytest.approx(constant["disturbance"], abs=0)
+    assert by_function.disturbance == pytest.approx(constant["disturbance"], rel=1e-14)
     assert constant.disturbance.shape == ()
 
 
@@ -147,7 +132,7 @@ def test_a_run_for_each_of_several_gusts(plane: gr.Aircraft) -> None:
     gust = gusts.one_minus_cosine(peaks, start=0.2, length=0.5)
     run = gr.simulate(plane.replace(a=np.array([-0.5, 0.0, 0.5]), Ct=0.0), disturbance=gust, t=1.0)
     assert run["v"].shape == run["disturbance"].shape == (2, 3, 501)
-    assert run.disturbance.shape == (2, 1, 501)
+    assert run.disturbance.shape == (2, 3, 501)
     alone = gusts.one_minus_cosine(400.0, start=0.2, length=0.5)
     one = gr.simulate(plane.replace(a=0.5, Ct=0.0), disturbance=alone, t=1.0)
     assert run["Y"][1, 2] == pytest.approx(one["Y"], rel=1e-9, abs=1e-12)
@@ -163,7 +148,7 @@ def test_shapes_of_the_gusts() -> None:
     t = np.array([0.9, 1.0, 1.25, 1.5, 2.0, 2.1])
     cosine = gusts.one_minus_cosine("0.4 kN", start="1000 ms", length=1.0)
     assert cosine(t) == pytest.approx([0, 0, 200, 400, 0, 0], abs=1e-9)
-    assert cosine.breaks == (1.0, 2.0)
+    assert cosine.breaks == (1.0, 1.5, 2.0)
     assert gusts.step(5.0, 1.0, 2.0)(t).tolist() == [0, 5, 5, 5, 0, 0]
     lines = gusts.sampled([1.0, 2.0], [[0.0, 10.0], [5.0, 5.0]])
     assert lines(t)[0] == pytest.approx([0, 0, 2.5, 5, 10, 10])
@@ -172,7 +157,7 @@ def test_shapes_of_the_gusts() -> None:
     both = gusts.step(5.0, 1.0) + gusts.step(-5.0, 2.0)
     assert both(t).tolist() == gusts.step(5.0, 1.0, 2.0)(t).tolist()
     assert cosine(1.5) == pytest.approx(400.0)
-    assert repr(cosine) == "Gust(1-cosine gust of 400 N from 1 s over 1 s)"
+    assert repr(cosine) == "Signal(1-cosine gust of 400 N from 1 s over 1 s)"
 
 
 def test_a_wind_is_the_force_it_makes_on_the_tail(plane: gr.Aircraft) -> None:
@@ -206,7 +191,7 @@ def test_bad_gusts_are_named(make: object, message: str) -> None:
     ("force", "message"),
     [
         (math.sin, "function sin must take an array of times.*numpy.vectorize"),
-        (lambda t: t[:1], "one force for each of 501 times"),
+        (lambda t: t[:1], "one value for each of .* times"),
         (lambda t: np.full(t.shape, np.inf), "must be finite"),
     ],
 )
@@ -224,23 +209,25 @@ def test_bad_functions_of_time_are_named(plane: gr.Aircraft, force: object, mess
         (gusts.step(1.0, 0.2, 0.9) + gusts.one_minus_cosine(1.0, 0.1, 0.2), 0.1, 0.9),
         (gusts.sampled([0.1, 0.2, 0.4, 0.5, 0.6], [0, 0, 7, 0, 0]), 0.2, 0.5),
         (gusts.sampled([0.1, 0.2, 0.4, 0.5, 0.6], [0, 0, 7, 3, 3], hold=True), 0.4, 0.5),
-        (gusts.sampled([0.1, 0.2], [5, 5]), -np.inf, 0.1),
+        (gusts.sampled([0.1, 0.2], [5, 5]), -np.inf, -np.inf),
         (gusts.of_time(np.sin), -np.inf, np.inf),
         (gusts.of_time(np.sin, end=3.0), -np.inf, 3.0),
     ],
-    ids=lambda value: repr(value) if isinstance(value, gusts.Gust) else "",
+    ids=lambda value: repr(value) if isinstance(value, Signal) else "",
 )
-def test_start_and_end_of_a_gust(gust: gusts.Gust, start: float, end: float) -> None:
+def test_start_and_end_of_a_gust(gust: Signal, start: float, end: float) -> None:
     assert (gust.start, gust.end) == (pytest.approx(start), pytest.approx(end))
 
 
-@pytest.mark.parametrize("name", [name for name in GUSTS if name != "smooth"])
+@pytest.mark.parametrize("name", GUSTS)
 def test_a_run_with_a_gust_can_be_sent_to_another_process(plane: gr.Aircraft, name: str):
     run = gr.simulate(plane, disturbance=GUSTS[name], t=2.5, samples=26)
     back = pickle.loads(pickle.dumps(run))
     assert (back["v"] == run["v"]).all()
     assert back.gust.label == run.gust.label
-    assert (back.gust(T) == GUSTS[name](T)).all()
+    inside = T[T <= 2.5]
+    assert (back.gust(inside) == run.gust(inside)).all()
+    assert run.gust(inside) == pytest.approx(GUSTS[name](inside), rel=1e-11, abs=1e-9)
 
 
 def test_a_sum_of_many_gusts_is_no_deeper_than_one(plane: gr.Aircraft):

@@ -263,11 +263,11 @@ def test_a_force_without_an_end_has_none() -> None:
     assert found.displacement == pytest.approx(-np.linalg.solve(lin.A, lin.B[:, 0])[0] * impulse)
 
 
-def test_a_jump_after_the_run_is_noticed() -> None:
+def test_a_jump_after_the_run_is_found() -> None:
     late = gusts.of_time(lambda t: 50.0 * (t > 1.3), end=2.0)
-    run = gr.simulate(PLANE, disturbance=late, t=1.0)
-    with pytest.raises(gr.GroundrollError, match=r"jumps near t = 1\.3"):
-        run.metrics()
+    found = gr.simulate(PLANE, disturbance=late, t=1.0).metrics("r")
+    step = gr.simulate(PLANE, disturbance=gusts.step(50.0, 1.3), t=1.0).metrics("r")
+    assert found.peak == pytest.approx(step.peak, rel=1e-6)
 
 
 def test_an_unknown_state_names_the_nearest() -> None:
@@ -288,10 +288,7 @@ def test_a_run_from_disk_has_its_metrics(tmp_path: Path) -> None:
     run = gr.simulate(PLANE, disturbance=gust, t=1.0)
     back = gr.Trajectory.load(run.save(tmp_path / "run.npz")).metrics("theta")
     for word in WORDS:
-        assert getattr(back, word) == pytest.approx(getattr(run.metrics("theta"), word), abs=1e-4)
-    cut = gr.Trajectory.load(gr.simulate(PLANE, disturbance=gust, t=0.5).save(tmp_path / "cut.npz"))
-    with pytest.raises(gr.GroundrollError, match="no end that is known"):
-        cut.metrics()
+        assert getattr(back, word) == pytest.approx(getattr(run.metrics("theta"), word), rel=1e-9)
 
 
 # --- The curve they are read off --------------------------------------------------------------

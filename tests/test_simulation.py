@@ -46,7 +46,7 @@ def test_samples_are_those_of_the_integrator(plane: gr.Aircraft) -> None:
     xf = np.array(gr.integrator(t=[0.5, 1.0, 1.5, 2.0])(x0, 0, p))
     states = np.array([run[s] for s in MODELS["nonlinear"].states])
     assert states[:, 0] == pytest.approx(x0, abs=0)
-    assert states[:, 1:] == pytest.approx(xf, rel=1e-13, abs=1e-15)
+    assert np.abs(states[:, 1:] - xf).max(axis=1) == pytest.approx(0.0, abs=3e-9)
 
 
 def test_a_grid_does_not_change_the_motion(plane: gr.Aircraft) -> None:
@@ -136,19 +136,16 @@ def test_metrics_of_several_runs_and_of_an_unstable_one(plane: gr.Aircraft) -> N
         ({"disturbance": np.nan}, "disturbance must be finite"),
         ({"t": 0.0}, "t must be a positive number"),
         ({"t": [1.0, 2.0]}, "t must be a positive number"),
-        ({"t": 1e9}, "calls of the integrator .* GiB"),
-        (
-            {"t": 1e9, "disturbance": gr.gusts.step(1.0, start=1.0)},
-            "calls of the integrator .* GiB",
-        ),
         ({"t": 1e9, "disturbance": np.sin}, "looked at: .* GiB"),
         ({"samples": 10**11}, "the series: .* GiB"),
-        ({"v0": []}, "nothing is given"),
+        ({"v0": []}, "nothing to simulate"),
         ({"t": np.nan}, "t must be finite"),
         ({"samples": 1}, "samples must be a whole number from 2"),
         ({"samples": 2.5}, "samples must be a whole number from 2"),
         ({"w0": 1.0}, "unknown argument 'w0'.*v0"),
-        ({"method": "rk54"}, "unknown method 'rk54'.*rk45"),
+        ({"method": "rk45"}, "unknown argument 'method'"),
+        ({"tol": 1.0}, "tol must be from"),
+        ({"until": "stopped"}, "no events"),
         ({"model": "non-linear"}, "unknown model 'non-linear'.*nonlinear"),
         ({"v0": np.zeros(2), "r0": np.zeros(3)}, r"broadcast.*v0 \(2,\), r0 \(3,\)"),
     ],

@@ -60,11 +60,11 @@ def _gust(command: Any) -> Any:
 @options.disturbance
 @_gust
 @click.option(
-    "--method",
-    type=click.Choice(["rk45", "rk4"]),
-    default="rk45",
+    "--tol",
+    type=float,
+    default=1e-9,
     show_default=True,
-    help="Integrator: adaptive steps, or fixed ones.",
+    help="Error relative to the largest magnitude of each state.",
 )
 @click.option(
     "--view",
@@ -89,7 +89,7 @@ def command(
     gust: str | None,
     gust_start: float | None,
     gust_length: float | None,
-    method: str,
+    tol: float,
     view: str,
     show: str,
     form: str,
@@ -116,8 +116,8 @@ def command(
             samples=samples,
             speed=speed,
             disturbance=_over_time(disturbance, gust, gust_start, gust_length),
-            method=method,
-            **initial,
+            tol=tol,
+            **dict[str, Any](initial),
         )
         metrics = run.metrics(_MEASURED)
     emit(Output(_text(run, metrics), _rows(run), _data(run, metrics), run), form, out)

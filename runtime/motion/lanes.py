@@ -6,7 +6,7 @@ import ctypes
 import threading
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
@@ -47,6 +47,15 @@ class Pieces:
 
     start: FloatArray
     value: FloatArray
+
+    def at(self, t: FloatArray) -> FloatArray:
+        """Values at times, shape (n or 1, times)."""
+        rows = max(len(self.start), len(self.value))
+        which = np.maximum((self.start[..., None] <= t).sum(axis=-2) - 1, 0)
+        which = np.broadcast_to(which, (rows, t.size))
+        value = np.broadcast_to(self.value, (rows, *self.value.shape[1:]))
+        middle, *terms = np.moveaxis(np.take_along_axis(value, which[..., None], axis=1), -1, 0)
+        return np.asarray(reduce(lambda found, term: found * (t - middle) + term, terms[::-1]))
 
 
 @dataclass(frozen=True)

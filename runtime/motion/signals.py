@@ -13,7 +13,7 @@ Any number may be an array, for several runs at once. Signals add up, and a numb
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from math import comb
@@ -28,6 +28,9 @@ from groundroll.units import parts, to_si
 
 from .fitting import fit
 from .lanes import Pieces
+
+#: So far beyond a run, s, a function is followed to where it becomes constant.
+_FAR = 1000.0
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -77,8 +80,9 @@ class Signal:
             If it does not.
         """
         factor = to_si(f"1 {self.unit}", unit, name) if self.unit and unit else 1.0
-        scaled = self if factor == 1.0 else self * factor
-        return replace(scaled, unit=unit or self.unit)
+        scaled = self if factor == 1.0 else self.__mul__(factor)
+        found: Signal = replace(scaled, unit=unit or self.unit)
+        return found
 
     def __add__(self, other: Signal) -> Signal:
         if not isinstance(other, Signal):
@@ -98,7 +102,7 @@ class Signal:
         raise NotImplementedError
 
     def __rmul__(self, factor: Any) -> Signal:
-        return self * factor
+        return self.__mul__(factor)
 
     def __neg__(self) -> Signal:
         return self * -1.0
@@ -117,10 +121,13 @@ class Polynomials(Signal):
         When each polynomial begins, s, ascending; the first holds before it, too.
     values : ndarray, shape (..., pieces, 1 + terms)
         Of each a time m, s, and the coefficients of powers of t - m.
+    known : float
+        Time, s, until which it is known.
     """
 
     starts: FloatArray
     values: FloatArray
+    known: float = np.inf
 
     def over(self, t: float) -> Polynomials:
         return self
@@ -143,6 +150,8 @@ class Polynomials(Signal):
 
     @property
     def end(self) -> FloatArray:
+        if self.known < np.inf:
+            return np.full(self.shape, np.inf)
         level = self.values[..., 1]
         flat = ~(self.values[..., 2:] != 0).any(axis=-1) & (level == level[..., -1:])
         count = np.logical_and.accumulate(flat[..., ::-1], axis=-1).sum(axis=-1)
@@ -167,6 +176,26 @@ class Polynomials(Signal):
             np.take_along_axis(row, which, axis=-1) for row in np.moveaxis(rows, -1, 0)
         )
         return np.asarray(reduce(lambda found, term: found * (t - middle) + term, terms[::-1]))
+
+    def packed(self) -> dict[str, Any]:
+        """As plain data, for `unpacked`."""
+        starts = np.where(np.isfinite(self.starts), self.starts, np.finfo(np.float64).min)
+        return {
+            "label": self.label,
+            "unit": self.unit,
+            "starts": starts.tolist(),
+            "values": self.values.tolist(),
+            "known": min(self.known, np.finfo(np.float64).max),
+        }
+
+    @classmethod
+    def unpacked(cls, data: Mapping[str, Any]) -> Polynomials:
+        """A signal from plain data."""
+        starts = np.asarray(data["starts"], dtype=np.float64)
+        starts = np.where(starts == np.finfo(np.float64).min, -np.inf, starts)
+        known = data["known"] if data["known"] < np.finfo(np.float64).max else np.inf
+        values = np.asarray(data["values"], dtype=np.float64)
+        return cls(data["label"], data["unit"], starts, values, known)
 
     def pieces(self, shape: tuple[int, ...], chunk: range) -> Pieces:
         """As the kernels take it, for some of the runs of a shape, in its flat order."""
@@ -218,15 +247,17 @@ class OfTime(Signal):
         return value * self.factor[..., None]
 
     def over(self, t: float) -> Polynomials:
-        last = min(t, self.last)
+        last = self.last if self.last < t + _FAR else t
         inner = [b for b in self.breaks if 0 < b < last]
         starts, values = fit(self._at, np.array([0.0, *inner, last]), self.label)
-        if last < t:
+        if last == self.last:
             level = self._at(np.array([last]))
             still = np.zeros((*level.shape[:-1], 1, values.shape[-1]))
             still[..., 0, 1] = level[..., 0]
             starts, values = np.append(starts, last), np.concatenate([values, still], axis=-2)
-        return Polynomials(self.label, self.unit, starts, values)
+        return Polynomials(
+            self.label, self.unit, starts, values, np.inf if last == self.last else t
+        )
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -298,9 +329,7 @@ def step(size: Any, start: Any = 0.0, end: Any = None, *, unit: str = "") -> Sig
     return Polynomials(label, own, _starts(marks), values)
 
 
-def one_minus_cosine(
-    peak: Any, start: Any = 0.0, length: Any = 1.0, *, unit: str = ""
-) -> Signal:
+def one_minus_cosine(peak: Any, start: Any = 0.0, length: Any = 1.0, *, unit: str = "") -> Signal:
     """The discrete gust of the airworthiness codes: peak/2 (1 - cos(2 pi (t - start)/length)).
 
     Parameters
@@ -453,7 +482,7 @@ def _joined(one: Polynomials, other: Polynomials) -> Polynomials:
     for s in (one, other):
         total[..., 1:] += _moved(s, starts, middle, shape, terms - 1)
     total[..., 0] = middle
-    return Polynomials(one.label, one.unit, starts, total)
+    return Polynomials(one.label, one.unit, starts, total, min(one.known, other.known))
 
 
 def _moved(
