@@ -1470,14 +1470,17 @@ static int advance(block_t *b, double t_end, double max_steps)
         const double t = ratio <= 1.0 ? past : b->t[l], rest = goal - t, h = b->h[l] * factor;
         const double steps = b->steps[l] + 1.0;
         const double stuck = ratio == ratio ? (double)STEP_LIMIT : (double)NON_FINITE;
-        double state = b->state[l];
-        state = steps >= max_steps ? (double)STEP_LIMIT : state;
-        state = h < b->least[l] ? stuck : state;
-        state = t >= t_end && state < 0.0 ? (double)OK : state;
 #if VARYING
         /* a step cut short by a break says little about the next one */
-        b->wish[l] = ratio <= 1.0 ? larger(h, b->h[l] < b->wish[l] ? b->wish[l] : h) : h;
+        const double size = ratio <= 1.0 && b->h[l] < b->wish[l] ? larger(h, b->wish[l]) : h;
+        b->wish[l] = size;
+#else
+        const double size = h;
 #endif
+        double state = b->state[l];
+        state = steps >= max_steps ? (double)STEP_LIMIT : state;
+        state = size < b->least[l] ? stuck : state;
+        state = t >= t_end && state < 0.0 ? (double)OK : state;
         b->t[l] = t;
         b->h[l] = h >= rest ? rest : (h + h > rest ? 0.5 * rest : h);
         b->steps[l] = steps;
