@@ -73,7 +73,10 @@ def test_derive_never_imports_runtime():
 
 
 def test_runtime_never_imports_derive_or_sympy():
-    assert importing(RUNTIME, "sympy", "groundroll.derive") == []
+    """But for one door: the command that derives a model of the user's own."""
+    others = {name: path for name, path in RUNTIME.items() if name != "groundroll.cli.derive"}
+    assert len(others) == len(RUNTIME) - 1
+    assert importing(others, "sympy", "groundroll.derive") == []
 
 
 def test_generated_imports_only_casadi_numpy_and_the_standard_library():

@@ -34,6 +34,7 @@ COMMANDS = {
     "check": "What an aircraft file says, what follows, what is missing.",
     "new": "An aircraft file to fill in.",
     "fit-tire": "Parameters of the non-linear tire from measured forces.",
+    "derive": "A model of your own: from a parts list to a folder of compiled code.",
     "study": "Every table and figure of Brott's thesis, computed and compared.",
     "info": "Versions, packaged aircraft and tires, models.",
 }

@@ -1,0 +1,89 @@
+"""A pack of a user's own model: one Python file in, one folder out."""
+
+from __future__ import annotations
+
+import importlib.util
+import traceback
+from pathlib import Path
+from types import ModuleType
+
+from groundroll.derive.core.model import Model, ModelError
+
+from .catalogue import Pack, packs
+from .pack import pack_files, write
+
+
+def derive_file(path: Path, out: Path, name: str = "") -> Pack:
+    """Derive the model in a Python file and write its pack.
+
+    Parameters
+    ----------
+    path : Path
+        A Python file with a `Model` at its top level.
+    out : Path
+        Folder of the pack; made if it is not there.
+    name : str, optional
+        Which model, where the file has several.
+
+    Raises
+    ------
+    ModelError
+        If the file cannot be run, has no such model, or the model cannot be; or if the folder
+        holds something else than a pack.
+    """
+    model = find_model(path, name)
+    if model.name in {pack.name for pack in packs()}:
+        raise ModelError(f"{path}: {model.name!r} is a model that ships; call yours otherwise")
+    if out.exists() and not out.is_dir():
+        raise ModelError(f"{out} is a file; a pack is a folder")
+    if out.is_dir() and any(out.iterdir()) and not (out / "facts.json").is_file():
+        raise ModelError(f"{out} holds other things than a pack; give an empty folder or a new one")
+    pack = own_pack(model)
+    write(out, pack_files(pack))
+    return pack
+
+
+def own_pack(model: Model) -> Pack:
+    """The pack of a model that does not ship."""
+    try:
+        return Pack(model.name, model.summary, model=model.derive())
+    except (ValueError, NotImplementedError) as problem:
+        raise ModelError(str(problem)) from problem
+
+
+def find_model(path: Path, name: str = "") -> Model:
+    """The model at the top level of a Python file."""
+    if not path.is_file():
+        raise ModelError(f"there is no file {path}")
+    found: dict[int, Model] = {
+        id(value): value for value in vars(_run(path)).values() if isinstance(value, Model)
+    }
+    models = [model for model in found.values() if not name or model.name == name]
+    if len(models) == 1:
+        return models[0]
+    if models:
+        names = ", ".join(model.name for model in models)
+        raise ModelError(f"{path} has several models, {names}: say which with --name")
+    if name and found:
+        names = ", ".join(model.name for model in found.values())
+        raise ModelError(f"{path} has no model {name!r}; it has {names}")
+    raise ModelError(
+        f"{path} has no model at its top level: name one there, as in car = Model('car', ...)"
+    )
+
+
+def _run(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"groundroll_model_{path.stem}", path)
+    if spec is None or spec.loader is None:
+        raise ModelError(f"{path} is no Python file; its name must end in .py")
+    module = importlib.util.module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except Exception as problem:
+        lines = [f for f in traceback.extract_tb(problem.__traceback__) if f.filename == str(path)]
+        line = getattr(problem, "lineno", None) or (lines[-1].lineno if lines else "?")
+        what = (
+            problem if isinstance(problem, ValueError) else f"{type(problem).__name__}: {problem}"
+        )
+        raise ModelError(f"{path}, line {line}: {what}") from problem
+    return module
