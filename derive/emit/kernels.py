@@ -10,6 +10,7 @@ from groundroll.derive.core.model import Derivation
 
 from .catalogue import Pack
 from .simd.model import kernel_text, read_model
+from .simd.points import points_kernel
 from .simd.sweep import can_sweep, sweep_kernels
 
 
@@ -61,6 +62,11 @@ def _in_body_axes(model: Derivation) -> list[int]:
 def _distinct(model: Derivation, states: list[int]) -> list[int]:
     """The states but those that move as an earlier one does (psi as theta)."""
     return [k for k in states if model.rates[k] not in [model.rates[j] for j in states if j < k]]
+
+
+def points_text(module: ModuleType) -> str:
+    """Kernels of a model's functions at many points."""
+    return points_kernel([module.rhs(), module.outputs(), module.linearized()])
 
 
 def sweep_of(pack: Pack, modules: Mapping[str, ModuleType]) -> SweepKernels | None:

@@ -9,11 +9,13 @@ from types import ModuleType
 import casadi as ca
 import sympy as sp
 
+from groundroll.derive.core.model import Derivation
+
 from .c_source import c_source
 from .catalogue import Pack
 from .equation_sheet import equation_sheet
 from .facts import facts
-from .kernels import integration_kernels, sweep_of
+from .kernels import integration_kernels, points_text, sweep_of
 from .module import Module
 from .places import places_source
 from .shipped import integrators
@@ -45,6 +47,7 @@ def pack_files(pack: Pack) -> dict[str, str]:
     compiled = {} if sweep is None else {sweep.name: sweep.text}
     if kernels is not None:
         compiled["lanes"] = kernels.text
+        compiled["points"] = points_text(modules["model"])
     for name, text in compiled.items():
         texts[f"c/{name}.c"] = f"/* {header} */\n{text}"
     texts["facts.json"] = facts(pack, header, _function_table(pack), kernels, sweep)
@@ -67,6 +70,7 @@ def _blocks(pack: Pack, module: Module, is_model: bool) -> Iterator[str]:
     if not module.is_readable:
         yield _jacobians_source(pack.name)
     yield places_source(pack.model)
+    yield _linearized_source(pack.model)
     for method in integrators.METHODS:
         yield _integrator_source(pack.name, method)
 
@@ -76,6 +80,16 @@ def _jacobians_source(model: str) -> str:
         "@cache\ndef jacobians() -> ca.Function:\n"
         '    """Jacobians of states and outputs by x, u and p: see `integrators.jacobians`."""\n'
         f'    return integrators.jacobians(rhs(), outputs(), "{model}_jacobians")\n'
+    )
+
+
+def _linearized_source(model: Derivation) -> str:
+    dynamic = [model.states.index(s) for s in model.dynamic]
+    return (
+        "@cache\ndef linearized() -> ca.Function:\n"
+        '    """The linear model of the dynamic states: see `integrators.linearized`."""\n'
+        f'    name = "{model.name}_linearized"\n'
+        f"    return integrators.linearized(rhs(), outputs(), {dynamic}, name)\n"
     )
 
 
@@ -97,6 +111,7 @@ def _function_table(pack: Pack) -> dict[str, tuple[str, str, str]]:
         name = pack.name
         table[f"{name}_jacobians"] = ("model", "jacobians", "model")
         table[f"{name}_places"] = ("model", "places", "")
+        table[f"{name}_linearized"] = ("model", "linearized", "")
         for method in integrators.METHODS:
             table[f"{name}_{method}"] = ("model", method, method)
     return table
