@@ -23,10 +23,11 @@ if TYPE_CHECKING:
     from .errors import GroundrollError
     from .integration import integrator
     from .kicks import Survival, survival
-    from .linearization import Linearization, OperatingPoint, linearize
+    from .linearization import Linearization, linearize
     from .maps import StabilityMap, stability_map
     from .metrics import Metrics
     from .motion import signals
+    from .operating_point import OperatingPoint
     from .placement import Envelope, InfeasibleError, Limits, Placement, place_gear
     from .response import (
         FrequencyResponse,
@@ -75,7 +76,7 @@ _HOME = {
     "Linearization": "linearization",
     "Margins": "stability",
     "Metrics": "metrics",
-    "OperatingPoint": "linearization",
+    "OperatingPoint": "operating_point",
     "Placement": "placement",
     "Result": "results",
     "RootLocus": "response",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from dataclasses import replace as _replace
 from functools import cache, cached_property, partial
@@ -186,6 +186,12 @@ class Aircraft(Listed):
             else:
                 given[key] = _checked(key, value)
         return _replace(self, given=given, sources=sources)
+
+    def at_each(self, pick: Callable[[FloatArray], FloatArray]) -> Aircraft:
+        """A copy of which every array is replaced by what `pick` makes of it."""
+        given = {s: pick(x) for s, x in self.given.items() if x.ndim}
+        own = {s: pick(x) if np.ndim(x) else x for s, x in self.own.items()}
+        return self.replace(**given).with_own(own)
 
     def with_own(self, own: Mapping[str, Any]) -> Aircraft:
         """A copy with other parameters of a model of the user's own."""

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from contextlib import redirect_stderr
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
@@ -16,6 +16,9 @@ from . import generated
 from .arrays import FloatArray, broadcast
 from .generated import kernels
 from .memory import check_memory
+
+if TYPE_CHECKING:
+    from .operating_point import Points
 
 #: Points per call of a generated function: few enough to stay in the cache.
 _BLOCK = 256
@@ -175,3 +178,33 @@ def solved(solver: ca.Function, **arguments: Any) -> dict[str, Any]:
     if "KeyboardInterrupt" in said.getvalue():
         raise KeyboardInterrupt
     return result
+
+
+#: Points from which the kernels pay, which may have to be compiled first.
+_SOME = 64
+
+
+def linear_at(points: Points, threads: int = 1) -> list[FloatArray]:
+    """The linear model at operating points: A, B, C, D, drift and outputs.
+
+    Parameters
+    ----------
+    points : Points
+    threads : int
+        Does not change a bit of the result.
+
+    Returns
+    -------
+    list of ndarray, each of shape (*shape, rows, columns)
+    """
+    model, shape = points.model, points.shape
+    n, m, y = len(model.dynamic), len(model.inputs), len(model.outputs)
+    sizes = ((n, n), (n, m), (y, n), (y, m), (n, 1), (y, 1))
+    name = f"{model.name}_linearized"
+    if points.count >= _SOME and kernels.can_evaluate(model, name):
+        check_memory(8 * points.count * sum(a * b for a, b in sizes), "the linear models")
+        found = [np.empty((points.count, *size)) for size in sizes]
+        kernels.evaluate(model, name, points.count, points.columns, found, threads)
+    else:
+        found = columns(model.expression("linearized"), *points.vectors)
+    return [each.reshape(*shape, *size) for each, size in zip(found, sizes, strict=True)]

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, as_inputs, finite
-from .errors import GroundrollError
-from .evaluate import columns, elementwise
+from .arrays import FloatArray
+from .errors import GroundrollError, beyond
+from .evaluate import linear_at
 from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
+from .modes import ComplexArray, modes_of
+from .operating_point import OperatingPoint, points_at
 from .records import Column, Record, measured, run_dims
 from .results import Result
 from .stability import quantity_of
@@ -24,8 +25,6 @@ if TYPE_CHECKING:
     import pandas
 
     from .sensitivities import Sensitivities
-
-ComplexArray = npt.NDArray[np.complex128]
 
 #: Of what is read from the eigenvalues one number for each point, and of the rest the axes.
 READ_OFF = ("decay_rate", "damping_ratio", "natural_frequency", "damped_frequency")
@@ -39,52 +38,29 @@ _AXES = {
 }
 
 
-@dataclass(frozen=True)
-class OperatingPoint:
-    """A state of motion to linearise about.
-
-    Attributes
-    ----------
-    v : float or array
-        Lateral velocity, m/s, to the right.
-    r : float or array
-        Yaw rate, rad/s, nose right.
-    disturbance : float or array
-        Side force on the vertical tail, N, to the right.
-    """
-
-    v: Any = 0.0
-    r: Any = 0.0
-    disturbance: Any = 0.0
-
-    def in_si(self) -> OperatingPoint:
-        """The same with numbers and arrays only."""
-        v, r = finite("at.v", self.v, "m/s"), finite("at.r", self.r, "rad/s")
-        force = finite("disturbance", self.disturbance, "N")
-        return OperatingPoint(*(x if x.ndim else float(x) for x in (v, r, force)))
-
-
 @dataclass(frozen=True, repr=False)
 class Linearization(Listed, Result):
     """x' = drift + A (x - x_op) + B (u - u_op), y = y_op + C (x - x_op) + D (u - u_op).
 
-    x = (v, r), u = (disturbance); the names are in `states`, `inputs`, `outputs`. With arrays
-    among the arguments every attribute has their common shape in front.
+    x are the dynamic states and u all inputs; their symbols are in `states` and `inputs`, those of
+    y in `outputs`. With arrays among the arguments every attribute has their common shape in front.
 
     Attributes
     ----------
-    A, B, C, D : ndarray, shapes (..., 2, 2), (..., 2, 1), (..., n, 2), (..., n, 1)
+    A, B, C, D : ndarray, shapes (..., n, n), (..., n, m), (..., k, n), (..., k, m)
         State-space matrices, SI units with radians.
-    drift : ndarray, shape (..., 2)
-        (v_dot, r_dot) at the operating point; zero at an equilibrium.
-    eigenvalues : complex ndarray, shape (..., 2)
+    drift : ndarray, shape (..., n)
+        Rates of the states at the operating point; zero at an equilibrium.
+    eigenvalues : complex ndarray, shape (..., n)
         1/s; the larger real part first, of a pair the positive imaginary part first.
     decay_rate : ndarray
         -max Re(eigenvalue), 1/s; positive if stable.
     damping_ratio : ndarray
-        -tr A / (2 sqrt(det A)); above 1 the eigenvalues are real; NaN where det A < 0.
+        With two states -tr A / (2 sqrt(det A)): above 1 the eigenvalues are real, NaN where det A
+        < 0. With others that of the eigenvalue with the largest real part.
     natural_frequency, damped_frequency : ndarray
-        sqrt(det A) and the size of the imaginary part, rad/s.
+        With two states sqrt(det A), otherwise the size of that eigenvalue, and the size of the
+        imaginary part, rad/s.
     """
 
     A: FloatArray
@@ -112,11 +88,11 @@ class Linearization(Listed, Result):
             return np.asarray(np.broadcast_to(value, shape)[index])
 
         try:
-            given = {s: pick(value) for s, value in self.aircraft.given.items() if value.ndim}
-            at = OperatingPoint(pick(self.at.v), pick(self.at.r), pick(self.at.disturbance))
+            at = OperatingPoint(**{name: pick(value) for name, value in self.at.items()})
+            aircraft = self.aircraft.at_each(pick)
         except IndexError as problem:
             raise GroundrollError(f"there is no [{index}] among points {shape}") from problem
-        return linearize(self.aircraft.replace(**given), self.model, at)
+        return linearize(aircraft, self.model, at)
 
     def sensitivities(self) -> Sensitivities:
         """Exact derivatives of A and of the eigenvalues by each parameter of the model.
@@ -170,19 +146,23 @@ class Linearization(Listed, Result):
         labels = {"state": self.states, "state_rate": self.states}
         labels |= {"input": self.inputs, "output": self.outputs}
         results |= {axis: Column((axis,), np.array(names)) for axis, names in labels.items()}
-        given = {"v": self.at.v, "r": self.at.r, "F_disturbance": self.at.disturbance}
-        given = {s: np.asarray(value, np.float64) for s, value in given.items()}
         model = as_model(self.model)
+        by_name = {model.quantities[s].name: s for s in model.inputs}
+        given = {by_name.get(s, s): np.asarray(x, np.float64) for s, x in self.at.items()}
         return Record("linearization", self.aircraft, model, runs, results, given=given)
 
     @classmethod
     def _of(cls, record: Record) -> Linearization:
-        at = (value if value.ndim else float(value) for value in record.given.values())
+        q = record.model.quantities
+        at = {
+            q[s].name if s in record.model.inputs else s: x if x.ndim else float(x)
+            for s, x in record.given.items()
+        }
         parts: dict[str, Any] = {name: record[name] for name in (*_AXES, *READ_OFF)}
         for axis in ("state", "input", "output"):
             parts[f"{axis}s"] = tuple(record[axis].tolist())
         model = record.model.key
-        return cls(**parts, at=OperatingPoint(*at), aircraft=record.aircraft, model=model)
+        return cls(**parts, at=OperatingPoint(**at), aircraft=record.aircraft, model=model)
 
     def _title(self) -> str:
         whose = f"{self.aircraft.name!r}, {as_model(self.model).name} model"
@@ -202,10 +182,8 @@ class Linearization(Listed, Result):
 def linearize(
     plane: Aircraft,
     model: ModelLike = "nonlinear",
-    at: OperatingPoint | None = None,
-    *,
-    speed: Any = None,
-    disturbance: Any = None,
+    at: Mapping[str, Any] | None = None,
+    **values: Any,
 ) -> Linearization:
     """Linearise the model of an aircraft about a state of motion.
 
@@ -214,74 +192,45 @@ def linearize(
     plane : Aircraft
         The aircraft; its parameters may be arrays.
     model : str or Model
-        ``"linear"`` or ``"nonlinear"``.
-    at : OperatingPoint, optional
-        Where; straight running if omitted. It need not be an equilibrium.
-    speed : float or array, optional
-        Forward speed, m/s; default the aircraft's own.
-    disturbance : float or array, optional
-        Side force on the tail, N; overrides that of `at`.
+        A model that ships, a folder, or what `Model.load` gives.
+    at : OperatingPoint or mapping, optional
+        Where: states, inputs and parameters by symbol or full name, each a number in SI units, an
+        array, or a text with a unit: ``{"v": 0.4, "disturbance": "70 lbf"}``. What is not named is
+        zero, a free speed the aircraft's own. It need not be an equilibrium.
+    **values : float, array or str
+        The same as keywords: ``speed="100 km/h"``, ``steering="1 deg"``.
 
     Returns
     -------
     Linearization
-        Exact Jacobians and what is read from them.
+        Exact Jacobians by the dynamic states and all inputs, and what is read from them.
+
+    Raises
+    ------
+    GroundrollError
+        For unknown names, naming the nearest, or values that cannot be.
     """
-    point = at or OperatingPoint()
-    if disturbance is not None:
-        point = OperatingPoint(point.v, point.r, disturbance)
-    point = point.in_si()
-    names = as_model(model)
-    aircraft = plane if speed is None else plane.replace(u=speed)
-    x, u, p, shape = columns_at(aircraft, model, point)
-    fx, fu, _, gx, gu, _ = columns(as_model(model).function("jacobians"), x, u, p)
-    (rates,) = columns(as_model(model).function("rhs"), x, u, p)
-    dynamic = [names.states.index(s) for s in names.dynamic]
-
-    def shaped(values: FloatArray) -> FloatArray:
-        return values.reshape(*shape, *values.shape[1:])
-
-    A = shaped(fx[:, dynamic][:, :, dynamic])
+    chosen = as_model(model)
+    points = points_at(plane, chosen, at, values, "linearize")
+    A, B, C, D, drift, _ = linear_at(points)
+    if not np.isfinite(A).all():
+        raise beyond(f"the linear model of {plane.name} by the model {chosen.name}")
     modes = modes_of(A)
-    eigenvalues = np.stack(
-        [modes["re_1"] + 1j * modes["im_1"], modes["re_2"] + 1j * modes["im_2"]], -1
-    )
     return Linearization(
         A=A,
-        B=shaped(fu[:, dynamic]),
-        C=shaped(gx[:, :, dynamic]),
-        D=shaped(gu),
-        drift=shaped(rates[:, dynamic, 0]),
-        eigenvalues=eigenvalues,
-        decay_rate=modes["decay_rate"],
-        damping_ratio=modes["damping_ratio"],
-        natural_frequency=modes["natural_frequency"],
-        damped_frequency=modes["damped_frequency"],
-        at=point,
-        aircraft=aircraft,
-        model=names.key,
-        states=names.dynamic,
-        inputs=names.inputs,
-        outputs=names.outputs,
+        B=B,
+        C=C,
+        D=D,
+        drift=drift[..., 0],
+        eigenvalues=modes.eigenvalues,
+        decay_rate=modes.decay_rate,
+        damping_ratio=modes.damping_ratio,
+        natural_frequency=modes.natural_frequency,
+        damped_frequency=modes.damped_frequency,
+        at=points.at,
+        aircraft=points.aircraft,
+        model=chosen.key,
+        states=chosen.dynamic,
+        inputs=chosen.inputs,
+        outputs=chosen.outputs,
     )
-
-
-def columns_at(
-    aircraft: Aircraft, model: ModelLike, at: OperatingPoint
-) -> tuple[FloatArray, FloatArray, FloatArray, tuple[int, ...]]:
-    """States, inputs and parameters at operating points, one column per point, and their shape."""
-    p, flat, shape = aircraft.columns(
-        model,
-        v=finite("at.v", at.v, "m/s"),
-        r=finite("at.r", at.r, "rad/s"),
-        disturbance=finite("disturbance", at.disturbance, "N"),
-    )
-    zero = np.zeros(p.shape[1])
-    x = np.stack([flat.get(s, zero) for s in as_model(model).states])
-    return x, as_inputs(model, flat["disturbance"]), p, shape
-
-
-def modes_of(A: FloatArray) -> dict[str, FloatArray]:
-    """What the generated function ``modes`` says of state matrices of shape (..., 2, 2)."""
-    entries = {f"A_{i}{j}": A[..., k, n] for k, i in enumerate("vr") for n, j in enumerate("vr")}
-    return elementwise("modes", entries)

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .aircraft import Aircraft, parameter_symbols
+from .aircraft import Aircraft
 from .arrays import FloatArray, finite, positive, whole
 from .errors import GroundrollError
 from .generated import Quantity
-from .linearization import ComplexArray, Linearization, OperatingPoint, linearize
+from .linearization import Linearization, linearize
 from .listing import Pictured, span, unit_of
-from .models import ModelLike, as_model
-from .names import PARAMETERS, symbol
+from .models import ModelLike, as_model, symbol_of
+from .modes import ComplexArray
+from .names import PARAMETERS
 from .wording import number
 
 if TYPE_CHECKING:
@@ -93,25 +93,26 @@ def _many(values: FloatArray | ComplexArray) -> str:
 
 
 def frequency_response(
-    lin: Linearization,
-    output: str,
-    input: str = "disturbance",
-    *,
+    of: Linearization | Aircraft,
+    *names: Any,
     frequency: Any = None,
+    at: Mapping[str, Any] | None = None,
+    **values: Any,
 ) -> FrequencyResponse:
     """C (j omega - A)^-1 B + D of one output and one input.
 
     Parameters
     ----------
-    lin : Linearization
-        The linear model; with arrays, of every point.
-    output : str
-        An output or a state, by symbol or full name, e.g. ``"lateral_acceleration"``.
-    input : str
-        An input, by symbol or full name.
+    of : Linearization or Aircraft
+        A linear model, with arrays of every point; or an aircraft, whose model is linearised.
+    *names : str
+        With an aircraft first the model; then the output, which may be a state, and the input, by
+        symbol or full name. The first input of the model if that is omitted.
     frequency : sequence of float, optional
         rad/s, zero or more; by default from a thirtieth of the slowest mode to thirty times the
         fastest.
+    at, **values
+        Where an aircraft is linearised, as for `linearize`.
 
     Returns
     -------
@@ -123,26 +124,54 @@ def frequency_response(
     GroundrollError
         For unknown names, frequencies that cannot be, or one at which the response is infinite.
     """
-    B, C, D, names = _channel(lin, output, input)
+    lin, output, input = _asked(of, names, at, values, "frequency_response")
+    B, C, D, channel = _channel(lin, output, input)
     omega = (
         _default_frequencies(lin) if frequency is None else finite("frequency", frequency, "rad/s")
     )
     if omega.ndim != 1 or omega.size == 0 or (omega < 0).any():
         raise GroundrollError("frequency must be a list of numbers, zero or more, in rad/s")
-    s = 1j * omega[:, None, None]
-    M = s * np.eye(2) - lin.A[..., None, :, :]
-    trace = np.trace(M, axis1=-2, axis2=-1)
-    adjugate = trace[..., None, None] * np.eye(2) - M
-    polynomial = M[..., 0, 0] * M[..., 1, 1] - M[..., 0, 1] * M[..., 1, 0]
-    if (polynomial == 0).any():
-        where = omega[np.argwhere(polynomial == 0)[0][-1]]
+    gap = np.abs(1j * omega[:, None] - lin.eigenvalues[..., None, :]).min(axis=-1)
+    on = gap <= _ON * np.abs(lin.eigenvalues).max(axis=-1)[..., None]
+    if on.any():
+        where = omega[np.argwhere(on)[0][-1]]
         why = " (A is singular: main gear at the CG, nothing at the tail?)" if where == 0 else ""
         raise GroundrollError(
             f"the response at {where:g} rad/s is infinite: i times it is an eigenvalue of A{why}"
         )
-    numerator = np.einsum("...i,...nij,...j->...n", C, adjugate, B)
-    values = numerator / polynomial + D[..., None]
-    return FrequencyResponse(omega, values, *names, lin.aircraft, lin.model)
+    M = 1j * omega[:, None, None] * np.eye(len(lin.states)) - lin.A[..., None, :, :]
+    inside = np.linalg.solve(M, np.broadcast_to(B[..., None, :, None], (*M.shape[:-1], 1)))
+    found = np.einsum("...i,...ni->...n", C, inside[..., 0]) + D[..., None]
+    return FrequencyResponse(omega, found, *channel, lin.aircraft, lin.model)
+
+
+#: Closer to an eigenvalue than this share of the largest a response is called infinite.
+_ON = 1e-15
+
+
+def _asked(
+    of: Linearization | Aircraft,
+    names: Sequence[Any],
+    at: Mapping[str, Any] | None,
+    values: Mapping[str, Any],
+    where: str,
+) -> tuple[Linearization, str, str]:
+    """The linear model, and the names of its output and input."""
+    if isinstance(of, Linearization):
+        if at is not None or values:
+            raise GroundrollError(f"{where}: a linear model has its operating point already")
+        lin, rest = of, list(names)
+    else:
+        if not names:
+            raise GroundrollError(f"{where} of an aircraft needs a model, an output and an input")
+        lin, rest = linearize(of, names[0], at, **values), list(names[1:])
+    if not 1 <= len(rest) <= 2 or not all(isinstance(name, str) for name in rest):
+        raise GroundrollError(f"{where} needs the names of an output and of an input")
+    if len(rest) == 1:
+        if not lin.inputs:
+            raise GroundrollError(f"{where}: the model has no input")
+        rest.append(lin.inputs[0])
+    return lin, rest[0], rest[1]
 
 
 def _channel(
@@ -155,7 +184,7 @@ def _channel(
     column = lin.inputs.index(by)
     B = lin.B[..., column]
     if out in lin.states:
-        C = np.broadcast_to(np.eye(2)[lin.states.index(out)], B.shape)
+        C = np.broadcast_to(np.eye(len(lin.states))[lin.states.index(out)], B.shape)
         return B, C, np.zeros(B.shape[:-1]), (out, by)
     row = lin.outputs.index(out)
     return B, lin.C[..., row, :], lin.D[..., row, column], (out, by)
@@ -215,70 +244,59 @@ class StepResponse(Pictured):
 
 
 def step_response(
-    lin: Linearization,
-    output: str,
-    input: str = "disturbance",
-    *,
+    of: Linearization | Aircraft,
+    *names: Any,
     size: float | str = 1.0,
     t: float | str = 5.0,
     samples: int = 501,
+    at: Mapping[str, Any] | None = None,
+    **values: Any,
 ) -> StepResponse:
     """Exact response to a step at t = 0, by the matrix exponential.
 
     Parameters
     ----------
-    lin : Linearization
-        The linear model; with arrays, of every point.
-    output : str
-        An output or a state, by symbol or full name.
-    input : str
-        An input, by symbol or full name.
+    of : Linearization or Aircraft
+        A linear model, with arrays of every point; or an aircraft, whose model is linearised.
+    *names : str
+        With an aircraft first the model; then the output, which may be a state, and the input, by
+        symbol or full name. The first input of the model if that is omitted.
     size : float
         Height of the step, SI.
     t : float
         Duration, s.
     samples : int
         Number of equally spaced samples, the first at 0 and the last at `t`.
+    at, **values
+        Where an aircraft is linearised, as for `linearize`.
 
     Returns
     -------
     StepResponse
         Deviation from the operating point; what the drift there does is not in it.
     """
-    B, C, D, names = _channel(lin, output, input)
+    from scipy.linalg import expm
+
+    lin, output, input = _asked(of, names, at, values, "step_response")
+    B, C, D, channel = _channel(lin, output, input)
     duration, count = positive("t", t, "s"), whole("samples", samples, 2)
-    height = float(finite("size", size, as_model(lin.model).quantities[names[1]].unit))
-    times = np.linspace(0.0, duration, count)
+    height = float(finite("size", size, as_model(lin.model).quantities[channel[1]].unit))
+    times, n = np.linspace(0.0, duration, count), len(lin.states)
     # the state with the constant input appended: x' = A x + B u, u' = 0
-    augmented = np.zeros((*B.shape[:-1], 3, 3))
-    augmented[..., :2, :2], augmented[..., :2, 2] = lin.A, B
-    state = np.zeros((*B.shape[:-1], times.size, 3))
-    state[..., 0, 2] = height
+    augmented = np.zeros((*B.shape[:-1], n + 1, n + 1))
+    augmented[..., :n, :n], augmented[..., :n, n] = lin.A, B
+    state = np.zeros((*B.shape[:-1], times.size, n + 1))
+    state[..., 0, n] = height
     with np.errstate(over="ignore", invalid="ignore"):
-        advance = exponential(augmented * times[1])
+        advance = expm(augmented * times[1])
         for k in range(1, times.size):
             state[..., k, :] = np.einsum("...ij,...j->...i", advance, state[..., k - 1, :])
-        values = np.einsum("...i,...ni->...n", C, state[..., :2]) + (D * height)[..., None]
-    if not np.isfinite(values).all():
+        found = np.einsum("...i,...ni->...n", C, state[..., :n]) + (D * height)[..., None]
+    if not np.isfinite(found).all():
         raise GroundrollError(
             f"the step response grows beyond what a number can hold within {duration:g} s"
         )
-    return StepResponse(times, values, *names, height, lin.aircraft, lin.model)
-
-
-def exponential(matrix: FloatArray) -> FloatArray:
-    """Matrix exponential of matrices of shape (..., n, n): Taylor series after scaling by 2^-k."""
-    norm = float(np.abs(matrix).sum(axis=-1).max(initial=0.0))
-    squarings = max(0, math.ceil(math.log2(norm)) + 1) if norm > 0 else 0
-    scaled = matrix / 2.0**squarings
-    result = np.broadcast_to(np.eye(matrix.shape[-1]), matrix.shape).copy()
-    term = result
-    for k in range(1, 19):  # 0.5^19/19! is below rounding
-        term = term @ scaled / k
-        result = result + term
-    for _ in range(squarings):
-        result = result @ result
-    return result
+    return StepResponse(times, found, *channel, height, lin.aircraft, lin.model)
 
 
 @dataclass(frozen=True, repr=False)
@@ -291,7 +309,7 @@ class RootLocus(Pictured):
         Symbol.
     values : ndarray, shape (n,)
         Its values, SI units with radians.
-    eigenvalues : complex ndarray, shape (n, 2)
+    eigenvalues : complex ndarray, shape (n, modes)
         1/s; a column is one mode, also through values at which two modes cross. Where a pair
         splits into two real modes, or two join, which is which has no answer; the columns stay
         continuous.
@@ -327,10 +345,8 @@ def root_locus(
     parameter: str,
     values: Any,
     model: ModelLike = "nonlinear",
-    at: OperatingPoint | None = None,
-    *,
-    speed: Any = None,
-    disturbance: Any = None,
+    at: Mapping[str, Any] | None = None,
+    **others: Any,
 ) -> RootLocus:
     """Eigenvalues of the linear model of an aircraft over any of its parameters.
 
@@ -344,7 +360,7 @@ def root_locus(
         Its values in SI units with radians, increasing or decreasing. Modes are followed by
         continuing the line through their last two points, so steps must be fine enough for
         that.
-    model, at, speed, disturbance
+    model, at, **others
         As for `linearize`; scalars.
 
     Returns
@@ -352,30 +368,32 @@ def root_locus(
     RootLocus
         With each mode in a column of its own.
     """
-    key = symbol(parameter, "parameter", parameter_symbols(), "root_locus")
-    swept = finite(f"values of {key}", values, PARAMETERS[key].unit)
+    chosen = as_model(model)
+    known = {**PARAMETERS, **{s: chosen.quantities[s] for s in chosen.parameters}}
+    key = symbol_of(known, parameter, "parameter", known, "root_locus")
+    swept = finite(f"values of {key}", values, known[key].unit)
     steps = np.diff(np.atleast_1d(swept))
     if swept.ndim != 1 or swept.size < 2 or not ((steps > 0).all() or (steps < 0).all()):
         raise GroundrollError(f"values of {key} must be a list that increases or decreases")
-    aircraft = plane if speed is None else plane.replace(u=speed)
-    lin = linearize(aircraft.replace(**{key: swept}), model, at, disturbance=disturbance)
+    lin = linearize(plane, chosen, at, **{**others, key: swept})
     if lin.decay_rate.shape not in ((), swept.shape):
         raise GroundrollError(
             f"a locus has one parameter, but other arrays give it the shape {lin.decay_rate.shape}"
         )
-    eigenvalues = np.broadcast_to(lin.eigenvalues, (*swept.shape, 2))
+    eigenvalues = np.broadcast_to(lin.eigenvalues, (*swept.shape, len(lin.states)))
     return RootLocus(key, swept, follow(swept, eigenvalues), plane, lin.model)
 
 
 def follow(values: FloatArray, eigenvalues: ComplexArray) -> ComplexArray:
-    """Order pairs of eigenvalues so that each column continues its own line."""
+    """Order eigenvalues so that each column continues its own line."""
+    from scipy.optimize import linear_sum_assignment
+
     ordered = eigenvalues.copy()
     for k in range(1, len(values)):
         expected = ordered[k - 1]
         if k > 1:
             ratio = (values[k] - values[k - 1]) / (values[k - 1] - values[k - 2])
             expected = expected + (ordered[k - 1] - ordered[k - 2]) * ratio
-        swapped = ordered[k, ::-1]
-        if np.abs(swapped - expected).sum() < np.abs(ordered[k] - expected).sum():
-            ordered[k] = swapped.copy()
+        distance = np.abs(expected[:, None] - eigenvalues[k][None, :])
+        ordered[k] = eigenvalues[k][linear_sum_assignment(distance)[1]]
     return ordered

@@ -20,7 +20,8 @@ from .units import from_si
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .linearization import ComplexArray, Linearization
+    from .linearization import Linearization
+    from .modes import ComplexArray
     from .response import FrequencyResponse, RootLocus, StepResponse
 
 _DAMPING = (0.1, 0.2, 0.3, 0.5, 0.7, 0.9)

@@ -12,9 +12,11 @@ import numpy.typing as npt
 
 from .arrays import FloatArray
 from .evaluate import columns
-from .linearization import ComplexArray, Linearization, columns_at
+from .linearization import Linearization
 from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
+from .modes import ComplexArray
+from .operating_point import points_at
 
 
 @dataclass(frozen=True, repr=False)
@@ -70,13 +72,15 @@ _SAME = 1e-7
 
 def sensitivities(lin: Linearization) -> Sensitivities:
     """Derivatives of a linear model; see `Sensitivities`."""
-    x, u, p, shape = columns_at(lin.aircraft, lin.model, lin.at)
-    (flat,) = columns(_state_matrix_derivatives(lin.model), x, u, p)
+    model = as_model(lin.model)
+    points = points_at(lin.aircraft, model, lin.at, {}, "sensitivities")
+    (flat,) = columns(_state_matrix_derivatives(lin.model), *points.vectors)
     # CasADi stacks the columns of A
-    dA = flat.reshape(*shape, 2, 2, len(p)).swapaxes(-3, -2)
+    n, shape = len(model.dynamic), points.shape
+    dA = flat.reshape(*shape, n, n, len(model.parameters)).swapaxes(-3, -2)
     slopes, meet = _eigenvalue_derivatives(lin.A, lin.eigenvalues, dA)
-    names, decay = as_model(lin.model).parameters, -slopes[..., 0, :].real
-    return Sensitivities(lin.model, names, dA, slopes, decay, meet)
+    decay = -slopes[..., 0, :].real
+    return Sensitivities(lin.model, model.parameters, dA, slopes, decay, meet)
 
 
 def _eigenvalue_derivatives(
@@ -84,15 +88,25 @@ def _eigenvalue_derivatives(
 ) -> tuple[ComplexArray, npt.NDArray[np.bool_]]:
     """w^H dA v / (w^H v) with the left and right eigenvectors w and v of each eigenvalue.
 
-    v w^H / (w^H v) is the projector on the mode, (A - other I) / (eigenvalue - other).
+    v w^H / (w^H v) is the projector on the mode: the product of (A - other I) / (eigenvalue -
+    other) over the other eigenvalues.
     """
-    other = eigenvalues[..., ::-1]
-    apart = eigenvalues - other
-    meet = np.abs(apart[..., 0]) <= _SAME * np.abs(eigenvalues).max(axis=-1)
-    apart = np.where(meet[..., None], 1.0, apart)
-    projector = (A[..., None, :, :] - other[..., None, None] * np.eye(2)) / apart[..., None, None]
-    slopes = np.einsum("...kij,...jip->...kp", projector, dA)
-    return np.where(meet[..., None, None], np.nan, slopes), meet
+    n = A.shape[-1]
+    apart = eigenvalues[..., :, None] - eigenvalues[..., None, :]
+    near = np.abs(apart) <= _SAME * np.abs(eigenvalues).max(axis=-1)[..., None, None]
+    alone = ~near | np.eye(n, dtype=bool)
+    meet = ~alone.all(axis=(-2, -1))
+    factor = (A[..., None, :, :] - eigenvalues[..., None, None] * np.eye(n)).astype(complex)
+    slopes = []
+    for k in range(n):
+        projector = np.broadcast_to(np.eye(n, dtype=complex), A.shape)
+        for j in range(n):
+            if j != k:
+                gap = np.where(near[..., k, j], 1.0, apart[..., k, j])
+                projector = projector @ (factor[..., j, :, :] / gap[..., None, None])
+        slopes.append(np.einsum("...ij,...jip->...p", projector, dA))
+    found = np.stack(slopes, axis=-2)
+    return np.where(meet[..., None, None], np.nan, found), meet
 
 
 @cache

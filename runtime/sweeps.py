@@ -16,10 +16,10 @@ from .chunks import thread_count
 from .errors import GroundrollError, one_of, unknown
 from .evaluate import names_of, sweep_into
 from .generated import PACKS, Quantity
-from .linearization import ComplexArray
 from .listing import Listed, span, unit_of
 from .memory import check_memory
 from .models import as_model
+from .modes import ComplexArray
 from .names import listed, symbol
 from .records import Record, measured, run_dims
 from .results import Result

@@ -14,9 +14,10 @@ from .aircraft import Aircraft
 from .arrays import FloatArray, finite
 from .errors import GroundrollError, beyond
 from .evaluate import columns, elementwise
-from .linearization import OperatingPoint, modes_of
 from .listing import Listed
 from .models import ModelLike, as_model
+from .modes import modes_of
+from .operating_point import OperatingPoint
 from .records import Column, Record, measured, run_dims
 from .results import Result
 from .stability import quantity_of
@@ -91,7 +92,7 @@ class Trim(Listed, Result):
             )
         force = float(self.disturbance)
         pairs = zip(self["v"], self["r"], strict=True)
-        return tuple(OperatingPoint(float(v), float(r), force) for v, r in pairs)
+        return tuple(OperatingPoint(v=float(v), r=float(r), disturbance=force) for v, r in pairs)
 
     def _record(self) -> Record:
         runs, per = run_dims(self.count.shape), ("branch",)
@@ -379,7 +380,7 @@ def _gathered(
         outputs = columns(as_model(balance.model).function("outputs"), x, u, p)[0][:, :, 0].T
         modes = modes_of(_state_matrices(balance.model, x, u, p))
         columns_of = {"v": found.v, "r": found.r, **dict(zip(names.outputs, outputs, strict=True))}
-        columns_of["decay_rate"] = modes["decay_rate"]
+        columns_of["decay_rate"] = modes.decay_rate
     order = np.lexsort([columns_of["alpha"], found.case])
     case = found.case[order]
     branch = np.arange(case.size) - np.searchsorted(case, case)

@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from oracles import BROTT, MODELS, parameters, points, right_hand_side, state, values
 
 import groundroll as gr
-from groundroll.linearization import modes_of
+from groundroll.modes import modes_of
 
 
 def aircraft(model, p=None):
@@ -21,7 +21,7 @@ def aircraft(model, p=None):
 
 def at(point):
     """The operating point of a random (x, u, p)."""
-    return gr.OperatingPoint(point[0][0], point[0][1], point[1][0])
+    return gr.OperatingPoint(v=point[0][0], r=point[0][1], disturbance=point[1][0])
 
 
 def complex_step(model, point, k, size=1e-30):
@@ -121,7 +121,7 @@ def test_sensitivities_by_name():
 def test_modes_are_numpys_eigenvalues(entries):
     A = entries.reshape(2, 2)
     modes = modes_of(A)
-    found = np.array([modes["re_1"] + 1j * modes["im_1"], modes["re_2"] + 1j * modes["im_2"]])
+    found = modes.eigenvalues
     expected = np.linalg.eigvals(A)
     expected = expected[np.lexsort([-expected.imag, -expected.real])]
     np.testing.assert_allclose(found, expected, atol=1e-6 * max(1.0, np.abs(expected).max()))
@@ -165,11 +165,11 @@ def test_without_python_control_the_error_says_what_to_install(monkeypatch):
 def test_any_mix_of_arrays_is_that_of_its_points():
     plane = aircraft("nonlinear").replace(a=np.linspace(-0.5, 0.7, 3)[:, None, None])
     v, r = np.array([0.0, 1.0])[:, None], np.array([0.0, 0.1, 0.2, 0.3])
-    lin = gr.linearize(plane, at=gr.OperatingPoint(v, r), speed=[20.0, 30.0, 40.0, 50.0])
+    lin = gr.linearize(plane, at=gr.OperatingPoint(v=v, r=r), speed=[20.0, 30.0, 40.0, 50.0])
     assert lin.A.shape == (3, 2, 4, 2, 2)
     assert lin.sensitivities().A.shape == (3, 2, 4, 2, 2, len(MODELS["nonlinear"].parameters))
     one = lin[2, 1, 3]
-    point = gr.OperatingPoint(1.0, 0.3)
+    point = gr.OperatingPoint(v=1.0, r=0.3)
     expected = gr.linearize(aircraft("nonlinear").replace(a=0.7), at=point, speed=50.0)
     for name in ("A", "B", "C", "D", "drift", "eigenvalues", "decay_rate"):
         np.testing.assert_allclose(getattr(one, name), getattr(expected, name), rtol=1e-12)

@@ -5,13 +5,11 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from hypothesis import given
-from hypothesis import strategies as st
 from matplotlib import pyplot
 from oracles import BROTT, MODELS, PER_DEGREE, points
-from scipy.linalg import expm
 
 import groundroll as gr
-from groundroll.response import exponential, follow
+from groundroll.response import follow
 
 
 @pytest.fixture(autouse=True)
@@ -81,13 +79,6 @@ def test_a_small_step_is_what_the_simulation_does():
     for name in ("v", "r", "alpha", "F_main", "a_y"):
         found = gr.step_response(lin, name, size=100.0, t=3.0, samples=31).values
         np.testing.assert_allclose(found, run[name], atol=1e-7 * np.abs(run[name]).max())
-
-
-@given(st.lists(st.floats(-30.0, 30.0), min_size=9, max_size=9))
-def test_the_matrix_exponential_is_scipys(entries):
-    matrix = np.array(entries).reshape(3, 3)
-    expected = expm(matrix)
-    np.testing.assert_allclose(exponential(matrix), expected, atol=1e-11 * np.abs(expected).max())
 
 
 def test_arrays_go_through():

@@ -50,9 +50,10 @@ def command(
 
     It need not be an equilibrium: the drift is (v_dot, r_dot) there.
     """
-    from groundroll.linearization import OperatingPoint, linearize
+    from groundroll.linearization import linearize
+    from groundroll.operating_point import OperatingPoint
 
-    point = OperatingPoint(v, r, disturbance)
+    point = OperatingPoint(v=v, r=r, disturbance=disturbance)
     with bar():
         lin = linearize(options.loaded(plane, changes), model, point, speed=speed)
     emit(Output(_text(lin), _rows(lin), _data(lin), lin), form, out)

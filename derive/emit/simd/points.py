@@ -75,7 +75,7 @@ def _results(function: ca.Function) -> list[ca.SX]:
 
 def _read(function: ca.Function, results: Sequence[ca.SX]) -> tuple[Graph, list[int], list[int]]:
     """The graph, the node of every element that is not zero, and the arguments that are read."""
-    stacked = ca.vertcat(*(x for result in results for x in result.nonzeros()))
+    stacked = ca.vertcat(*(result.nz[:] for result in results))
     flat = ca.Function(function.name(), function.sx_in(), [ca.densify(stacked)])
     graph, leaves, count = Graph(), [], 0
     for k in range(function.n_in()):

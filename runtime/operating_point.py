@@ -1,0 +1,170 @@
+"""Where a model is linearised: states, inputs and parameters by name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .aircraft import Aircraft
+from .arrays import FloatArray, broadcast
+from .errors import GroundrollError
+from .models import Model
+from .names import PARAMETERS
+from .parameters import parameters_of
+from .values import Given, given
+
+
+class OperatingPoint(Mapping[str, Any]):
+    """A state of motion and what acts on it, by symbol or full name; the rest is zero.
+
+    ``OperatingPoint(v=0.4, r="2 deg/s", disturbance="70 lbf")``; an entry is an attribute too.
+    A free speed that is not named is the aircraft's own.
+    """
+
+    def __init__(self, **values: Any) -> None:
+        self._values = dict(values)
+
+    def __getitem__(self, name: str) -> Any:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._values:
+            raise AttributeError(f"this operating point has no {name!r}; it has {list(self)}")
+        return self._values[name]
+
+    def __hash__(self) -> int:
+        return hash(tuple(self._values))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _operating_point, (self._values,)
+
+    def __repr__(self) -> str:
+        said = ", ".join(f"{name}={_said(value)}" for name, value in self._values.items())
+        return f"OperatingPoint({said})"
+
+
+def _operating_point(values: dict[str, Any]) -> OperatingPoint:
+    return OperatingPoint(**values)
+
+
+def _said(value: Any) -> str:
+    array = np.asarray(value)
+    return f"{float(array)!r}" if array.ndim == 0 else f"array {array.shape}"
+
+
+@dataclass(frozen=True)
+class Points:
+    """One or many operating points of a model, ready to be evaluated.
+
+    Attributes
+    ----------
+    model : Model
+    aircraft : Aircraft
+    values : mapping of str to ndarray
+        Every state, input and parameter by symbol, in the order of the model; each a number or an
+        array of the shape of the points.
+    shape : tuple of int
+    """
+
+    model: Model
+    aircraft: Aircraft
+    values: Mapping[str, FloatArray]
+    shape: tuple[int, ...]
+
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return math.prod(self.shape)
+
+    @property
+    def columns(self) -> list[FloatArray]:
+        """The values one after the other: a column of all points, or one number."""
+        return [
+            np.ascontiguousarray(np.broadcast_to(each, self.shape)).ravel()
+            if each.ndim
+            else each.reshape(1)
+            for each in self.values.values()
+        ]
+
+    @property
+    def vectors(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """States, inputs and parameters with one column for each point."""
+        arrays = [np.broadcast_to(each, self.count) for each in self.columns]
+        n, m = len(self.model.states), len(self.model.inputs)
+        empty = np.empty((0, self.count))
+        return (
+            np.stack(arrays[:n]),
+            np.stack(arrays[n : n + m]) if m else empty,
+            np.stack(arrays[n + m :]) if self.model.parameters else empty,
+        )
+
+    @property
+    def at(self) -> OperatingPoint:
+        """Dynamic states by symbol and inputs by full name, SI units with radians."""
+        q = self.model.quantities
+        named = {s: self.values[s] for s in self.model.dynamic}
+        named |= {s: self.values[s] for s in self.model.states if np.any(self.values[s])}
+        named |= {q[s].name: self.values[s] for s in self.model.inputs}
+        return OperatingPoint(**{s: x if x.ndim else float(x) for s, x in named.items()})
+
+
+def points_at(
+    plane: Aircraft,
+    model: Model,
+    at: Mapping[str, Any] | None,
+    values: Mapping[str, Any],
+    where: str,
+) -> Points:
+    """Operating points from what a call was given.
+
+    Parameters
+    ----------
+    plane : Aircraft
+    model : Model
+    at : mapping of str to anything, optional
+        States, inputs and parameters by symbol or full name.
+    values : mapping of str to anything
+        The same, given as keywords; they come before `at`.
+    where : str
+        The function that was called, for messages.
+    """
+    if at is not None and not isinstance(at, Mapping):
+        raise GroundrollError(
+            f"at must be an OperatingPoint, or values by name, not {type(at).__name__}"
+        )
+    merged = {**(at or {}), **{k: x for k, x in values.items() if x is not None}}
+    found = given(plane, model, merged, where, bare_states=True)
+    return points_of(model, found)
+
+
+def points_of(model: Model, found: Given) -> Points:
+    """Operating points from values that are sorted."""
+    zero = np.asarray(0.0)
+    known = parameters_of(found.aircraft, model)
+    values: dict[str, FloatArray] = {}
+    for s in model.states:
+        values[s] = found.states[s] if s in found.states else _own(found.aircraft, s)
+    for s in model.inputs:
+        values[s] = found.inputs.get(s, zero)
+    _, shape = broadcast({**values, **known})
+    if 0 in shape:
+        raise GroundrollError(f"nothing is given: the arrays broadcast to {shape}")
+    # a state may share its symbol with a parameter of another model, never of its own
+    return Points(model, found.aircraft, {**values, **known}, shape)
+
+
+def _own(plane: Aircraft, state: str) -> FloatArray:
+    """The aircraft's own value of a state that is not given: its speed, where that is free."""
+    if state in PARAMETERS and state in plane:
+        return plane[state]
+    return np.asarray(0.0)
