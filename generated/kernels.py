@@ -135,6 +135,72 @@ def sweep(
     )
 
 
+class _Points(ctypes.Structure):
+    """``points_t`` of ``points.c``."""
+
+    _fields_ = (
+        ("n", ctypes.c_int64),
+        ("threads", ctypes.c_int64),
+        ("given", ctypes.c_void_p),
+        ("stride", ctypes.c_void_p),
+        ("out", ctypes.c_void_p),
+    )
+
+
+def can_evaluate(pack: Pack, function: str) -> bool:
+    """Whether a function of a model can be compiled for many points here; says so if not."""
+    try:
+        _evaluator(pack, function)
+    except NoCompilerError as problem:
+        say_slower(problem)
+        return False
+    return True
+
+
+def evaluate(
+    pack: Pack,
+    function: str,
+    count: int,
+    arguments: Sequence[FloatArray],
+    results: Sequence[FloatArray | None],
+    threads: int = 1,
+) -> None:
+    """Apply a function of (x, u, p) to many points, in place.
+
+    Parameters
+    ----------
+    pack, function : Pack and str
+        One of ``rhs``, ``outputs`` and ``linearized`` with the name of the pack before it.
+    count : int
+        Number of points.
+    arguments : sequence of ndarray
+        States, then inputs, then parameters: a column of `count` each, or one number.
+    results : sequence of ndarray, shape (count, rows, columns)
+        In C order; one that is None is not kept.
+    threads : int
+        Does not change a bit of the result.
+
+    Raises
+    ------
+    NoCompilerError
+        If there is no C compiler.
+    """
+    given, made = _Pointers(arguments), _Pointers(results)
+    job = _Points(
+        n=count,
+        threads=useful_threads(threads, count),
+        given=given.address(),
+        stride=given.stride_address(),
+        out=made.address(),
+    )
+    _evaluator(pack, function)(ctypes.byref(job))
+
+
+@cache
+def _evaluator(pack: Pack, function: str) -> Any:
+    return getattr(load(pack.sources / "points.c", pack.digest, function), function)
+
+
 @cache
 def _sweeper(pack: Pack, function: str) -> Any:
     source, symbol = pack.sources / f"{pack.sweeps[function]}.c", f"sweep_{function}"
