@@ -168,3 +168,26 @@ def test_a_leading_coefficient_that_is_nothing_beside_the_others_is_dropped():
     assert roots(with_tiny)[0, 0] == 2.0
     with pytest.raises(GroundrollError, match="the roots of a polynomial cannot be computed"):
         roots(np.array([[1.0], [np.inf]]))
+
+
+@pytest.mark.parametrize("changes", [{"a": 1.5, "Ct": 100.0}, {"a": 0.9, "Ct": 0.0}])
+def test_at_a_critical_speed_nothing_decays_and_nothing_grows(changes: dict[str, float]):
+    plane = gr.Aircraft.load("cessna-170").replace(**changes)
+    window = gr.speed_window(plane)
+    speeds = np.array([u for u in (window.low, window.high) if 0 < u < np.inf])
+    assert speeds.size
+    margins = gr.margins(plane, speed=speeds)
+    for found in (
+        margins,
+        gr.linearize(plane, "linear", speed=speeds),
+        gr.sweep(plane, ["decay_rate", "damping_ratio"], speed=speeds),
+    ):
+        read = getattr if not isinstance(found, gr.Sweep) else gr.Sweep.__getitem__
+        decay = read(found, "decay_rate")
+        assert (decay == 0).all()
+        assert not np.signbit(decay).any()
+        assert (read(found, "damping_ratio") == np.inf).all()
+    assert (margins.time_to_half == np.inf).all()
+    assert (margins.time_to_double == np.inf).all()
+    beside = gr.margins(plane, speed=speeds[:, None] * [1 - 1e-9, 1 + 1e-9])
+    assert (np.sign(beside.decay_rate[-1]) == [-1, 1]).all()

@@ -69,6 +69,9 @@ u_low = Quantity(
 )
 u_high = Quantity("u_high", "upper_critical_speed", "m/s", "to here", r"u_{\mathrm{high}}")
 
+#: A determinant so small beside its products is what rounding leaves of zero.
+ROUNDING = sp.Rational(1, 2**48)
+
 STATE_MATRIX = (A_vv, A_vr, A_rv, A_rr)
 
 
@@ -110,12 +113,16 @@ def routh_hurwitz() -> Chain:
 def modes() -> Chain:
     """Eigenvalues and what is read from them, for any 2 x 2 state matrix.
 
-    The larger real part comes first; of a complex pair the positive imaginary part.
+    The larger real part comes first; of a complex pair the positive imaginary part. Near a critical
+    speed one eigenvalue is the small difference of two large numbers, unless it is the determinant
+    over the other one.
     """
     A = sp.Matrix(2, 2, STATE_MATRIX)
+    size = sp.Abs(A_vv * A_rr) + sp.Abs(A_vr * A_rv)
+    is_nothing = sp.Abs(A.det()) < ROUNDING * size
     return (
         Equation(trace, A.trace(), "Section 4.7"),
-        Equation(det, A.det(), "Section 4.7"),
+        Equation(det, sp.Piecewise((0, is_nothing), (A.det(), True)), "Section 4.7"),
         # tr^2 - 4 det, written so that equal eigenvalues lose no digits
         Equation(discriminant, (A_vv - A_rr) ** 2 + 4 * A_vr * A_rv, "Section 4.7"),
         Equation(separation, sp.sqrt(sp.Abs(discriminant)) / 2, "Section 4.7"),
@@ -125,11 +132,19 @@ def modes() -> Chain:
             sp.Piecewise((separation, discriminant < 0), (0, True)),
             "Section 4.5.7",
         ),
-        Equation(re_1, trace / 2 + spread, "Section 4.7"),
         Equation(re_2, trace / 2 - spread, "Section 4.7"),
+        Equation(
+            re_1,
+            sp.Piecewise(
+                (det / re_2, trace * spread < -(trace**2) / 4), (trace / 2 + spread, True)
+            ),
+            "Section 4.7",
+        ),
         Equation(im_1, damped_frequency, "Section 4.7"),
         Equation(im_2, -damped_frequency, "Section 4.7"),
-        Equation(decay_rate, -re_1, "Section 4.7"),
+        Equation(
+            decay_rate, sp.Piecewise((0, sp.Abs(re_1) <= 0), (-re_1, True)), "Section 4.7"
+        ),  # no negative zero
         Equation(natural_frequency, sp.sqrt(det), "Section 4.5.7"),
         Equation(damping_ratio, -trace / (2 * natural_frequency), "Section 4.5.7"),
     )
