@@ -144,16 +144,17 @@ def modes() -> ca.Function:
     A_rv = ca.SX.sym("A_rv")
     A_rr = ca.SX.sym("A_rr")
     trace = A_rr + A_vv  # Section 4.7
-    det = A_rr*A_vv - A_rv*A_vr  # Section 4.7
+    w3 = A_rr*A_vv - A_rv*A_vr
+    det = ca.if_else(ca.fabs(w3) < (1/281474976710656)*ca.fabs(A_rr*A_vv) + (1/281474976710656)*ca.fabs(A_rv*A_vr), 0, w3)  # Section 4.7
     discriminant = 4*A_rv*A_vr + (-A_rr + A_vv)**2  # Section 4.7
     separation = (1/2)*ca.sqrt(ca.fabs(discriminant))  # Section 4.7
     spread = ca.if_else(discriminant > 0, separation, 0)  # Section 4.7
     damped_frequency = ca.if_else(discriminant < 0, separation, 0)  # Section 4.5.7
-    re_1 = spread + (1/2)*trace  # Section 4.7
     re_2 = -spread + (1/2)*trace  # Section 4.7
+    re_1 = ca.if_else(spread*trace < -1/4*trace**2, det/re_2, spread + (1/2)*trace)  # Section 4.7
     im_1 = damped_frequency  # Section 4.7
     im_2 = -damped_frequency  # Section 4.7
-    decay_rate = -re_1  # Section 4.7
+    decay_rate = ca.if_else(ca.fabs(re_1) <= 0, 0, -re_1)  # Section 4.7
     natural_frequency = ca.sqrt(det)  # Section 4.5.7
     damping_ratio = -1/2*trace/natural_frequency  # Section 4.5.7
     return ca.Function(
@@ -218,16 +219,17 @@ def linear_modes() -> ca.Function:
     A_rv = -w4*w5  # Eq. 4.31
     A_rr = -w5*(C_f*a**2 + K*b**2)  # Eq. 4.31
     trace = A_rr + A_vv  # Section 4.7
-    det = A_rr*A_vv - A_rv*A_vr  # Section 4.7
+    w8 = A_rr*A_vv - A_rv*A_vr
+    det = ca.if_else(ca.fabs(w8) < (1/281474976710656)*ca.fabs(A_rr*A_vv) + (1/281474976710656)*ca.fabs(A_rv*A_vr), 0, w8)  # Section 4.7
     discriminant = 4*A_rv*A_vr + (-A_rr + A_vv)**2  # Section 4.7
     separation = (1/2)*ca.sqrt(ca.fabs(discriminant))  # Section 4.7
     spread = ca.if_else(discriminant > 0, separation, 0)  # Section 4.7
     damped_frequency = ca.if_else(discriminant < 0, separation, 0)  # Section 4.5.7
-    re_1 = spread + (1/2)*trace  # Section 4.7
     re_2 = -spread + (1/2)*trace  # Section 4.7
+    re_1 = ca.if_else(spread*trace < -1/4*trace**2, det/re_2, spread + (1/2)*trace)  # Section 4.7
     im_1 = damped_frequency  # Section 4.7
     im_2 = -damped_frequency  # Section 4.7
-    decay_rate = -re_1  # Section 4.7
+    decay_rate = ca.if_else(ca.fabs(re_1) <= 0, 0, -re_1)  # Section 4.7
     natural_frequency = ca.sqrt(det)  # Section 4.5.7
     damping_ratio = -1/2*trace/natural_frequency  # Section 4.5.7
     return ca.Function(
