@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from .ensemble_result import Ensemble
     from .ensembles import ensemble
     from .errors import GroundrollError
+    from .exchange import export
     from .integration import integrator
     from .kicks import Survival, survival
     from .linearization import Linearization, linearize
@@ -93,6 +94,7 @@ _HOME = {
     "basin": "basins",
     "check": "checking",
     "ensemble": "ensembles",
+    "export": "exchange",
     "fit_tire": "tire_fit",
     "frequency_response": "response",
     "gear_envelope": "stability",
@@ -149,6 +151,7 @@ __all__ = [
     "basin",
     "check",
     "ensemble",
+    "export",
     "fit_tire",
     "frequency_response",
     "gear_envelope",

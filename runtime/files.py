@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import stat
@@ -102,6 +103,30 @@ def complete(path: Path) -> Iterator[Path]:
             if before:
                 _take_over(draft, before)
             os.replace(draft, target)
+    except OSError as problem:
+        raise GroundrollError(f"cannot write {path}: {problem.strerror or problem}") from problem
+
+
+@contextmanager
+def complete_folder(path: Path) -> Iterator[Path]:
+    """A folder to fill, whose files go into the folder `path` if all goes well; others stay there.
+
+    Raises
+    ------
+    GroundrollError
+        If what is above it is not there or cannot be written to, or the path is that of a file.
+    """
+    try:
+        with tempfile.TemporaryDirectory(dir=path.parent, prefix=".unfinished-") as folder:
+            draft = Path(folder) / path.name
+            draft.mkdir()
+            yield draft
+            path.mkdir(exist_ok=True)
+            if not os.access(path, os.W_OK | os.X_OK):
+                raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+            for made in sorted(draft.rglob("*")):
+                target = path / made.relative_to(draft)
+                target.mkdir(exist_ok=True) if made.is_dir() else os.replace(made, target)
     except OSError as problem:
         raise GroundrollError(f"cannot write {path}: {problem.strerror or problem}") from problem
 

@@ -171,6 +171,27 @@ class AircraftName(ParamType):
         return [*names, CompletionItem(incomplete, type="file")]
 
 
+class ModelName(ParamType):
+    """A model that ships, or that an installed package announces, or the folder of a pack."""
+
+    name = "model"
+
+    def convert(self, value: Any, param: Any, ctx: Any) -> str:
+        from groundroll.errors import GroundrollError
+        from groundroll.models import as_model
+
+        try:
+            return as_model(value).key
+        except GroundrollError as problem:
+            self.fail(str(problem), param, ctx)
+
+    def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
+        from groundroll.generated import PACKS
+
+        names = [n for n, pack in PACKS.items() if pack.states and n.startswith(incomplete)]
+        return [*map(CompletionItem, names), CompletionItem(incomplete, type="dir")]
+
+
 class Assignment(ParamType):
     """``name=value``, the value with a unit; an empty value lets the parameter follow."""
 
@@ -222,11 +243,20 @@ def loaded(name: str, changes: Changes) -> Aircraft:
     return plane
 
 
+def with_values(name: str, changes: Changes) -> tuple[Aircraft, dict[str, str]]:
+    """The aircraft that AIRCRAFT describes, and what --set gives: by name, for the model to sort.
+
+    What is to follow from others is the aircraft's own affair.
+    """
+    values = {parameter: value for parameter, value in changes if value is not None}
+    return loaded(name, tuple(change for change in changes if change[1] is None)), values
+
+
 def model(default: str = "nonlinear") -> Callable[[F], F]:
     """--model."""
     return click.option(
         "--model",
-        type=click.Choice(["linear", "nonlinear"]),
+        type=ModelName(),
         default=default,
         show_default=True,
         help="The model: one that ships, or a folder made by `groundroll derive`.",

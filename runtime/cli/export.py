@@ -1,0 +1,48 @@
+"""``groundroll export``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from groundroll.models import ModelLike
+
+from . import options
+from .output import say
+
+
+def _target(context: click.Context, parameter: click.Parameter, value: str) -> str:
+    from groundroll.errors import GroundrollError, unknown
+    from groundroll.exchange.exporting import TARGETS
+
+    if value not in TARGETS:
+        problem: GroundrollError = unknown("target", value, TARGETS)
+        raise click.BadParameter(str(problem), context, parameter)
+    return value
+
+
+@click.command(
+    name="export",
+    epilog=options.example("groundroll export cessna-170 --to c --model nonlinear --out plane/"),
+)
+@options.aircraft
+@click.option(
+    "--to",
+    required=True,
+    callback=_target,
+    metavar="TARGET",
+    help="c: a folder of plain C, with an integrator, an example and a Makefile.",
+)
+@options.model()
+@click.option("--out", required=True, type=click.Path(path_type=Path), help="Where to write it.")
+def command(plane: str, changes: options.Changes, to: str, model: ModelLike, out: Path) -> None:
+    """Write a model with the numbers of an aircraft for programs without Python.
+
+    --set may change anything that the model knows: parameters, inputs, and states at the start
+    (v0).
+    """
+    from groundroll.exchange.exporting import export
+
+    aircraft, values = options.with_values(plane, changes)
+    say(f"wrote {export(aircraft, to, out, model, **values)}")

@@ -1,0 +1,5 @@
+"""Out of Python: a model with its aircraft for other programs, and a page to play with."""
+
+from .exporting import export
+
+__all__ = ["export"]
