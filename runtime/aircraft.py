@@ -304,7 +304,8 @@ class Aircraft(Listed):
     def _why(self, key: str) -> str:
         """From what a parameter follows, and what is not given that would have a say in it."""
         known = ", ".join(_label(s) for s in _origins(key) if s in self)
-        every = dict.fromkeys(x for s in _origins(key) for x in (s, *_origins(s)))
+        origins = [s for s in _origins(key) if s not in self.given]
+        every = dict.fromkeys(x for s in origins for x in (s, *_origins(s)))
         missing = " and ".join(_label(s) for s in every if s not in self)
         return f"; it follows from {known}" + (f", without {missing}" if missing else "")
 

@@ -15,13 +15,14 @@ from .aircraft import FOLLOWS, Aircraft, Source, parameter_symbols
 from .arrays import FloatArray
 from .consistency import as_written, contradictions, following, in_words, words
 from .errors import GroundrollError
-from .evaluate import elementwise
+from .evaluate import elementwise, names_of
 from .generated import build
 from .models import ModelLike, as_model
 from .names import MODELS, QUANTITIES, symbol
 from .parameters import NotGivenError
 from .stability import speed_window
 from .units import from_si, parts, to_si
+from .validity import extrapolated
 
 #: Results of `placement_limits` that describe an aircraft at rest: of which gear, from what.
 _LIMITS = {
@@ -112,12 +113,16 @@ def check(plane: Aircraft) -> Check:
         Quantities with their sources, missing parameters, warnings and notes. What is usual is
         in the data file ``plausible.toml``, with sources.
     """
-    known = (*_parameters(plane), *_limits(plane))
+    known = (*_parameters(plane), *_coefficients(plane), *_limits(plane))
     return Check(
         aircraft=plane,
         known=known,
         missing={model: tuple(_missing(plane, model)) for model in MODELS},
-        warnings=(*map(str, contradictions(plane)), *_unusual(plane, known)),
+        warnings=(
+            *map(str, contradictions(plane)),
+            *_unusual(plane, known),
+            *extrapolated(plane),
+        ),
         notes=(*_table_wanted(plane), *_bare(plane), *_overrides(plane), *_stability(plane)),
     )
 
@@ -137,6 +142,16 @@ def _is_estimate(plane: Aircraft, s: str) -> bool:
     if s in plane.given:
         return plane.sources.get(s, Source()).estimate
     return any(_is_estimate(plane, origin) for origin in plane.follows_from(s))
+
+
+def _coefficients(plane: Aircraft) -> Iterator[Known]:
+    """Cornering coefficient and friction of a main tire at its load, as far as they follow."""
+    for name, s in (("tire_coefficient", "C_c"), ("tire_friction", "mu")):
+        symbols, _ = names_of(name)
+        if all(n in plane for n in symbols):
+            q, values = QUANTITIES[s], elementwise(name, {n: plane[n] for n in symbols})
+            source = Source(estimate=any(_is_estimate(plane, n) for n in symbols))
+            yield Known(s, q.name, q.unit, values[s], symbols, source)
 
 
 def _limits(plane: Aircraft) -> Iterator[Known]:

@@ -23,9 +23,11 @@ from .fates import FATES, OUT, ByteArray, Criterion, fates
 from .generated import PACKS, build
 from .listing import Listed, span
 from .models import as_model
+from .parameters import parameters_of
 from .progress import Count, Progress, counted
 from .records import Column, Record, measured, run_dims
 from .results import Result
+from .validity import extrapolated
 
 #: Impulses that are tried before bisection, and in each of its rounds.
 _SCAN, _SECTIONS = 64, 15
@@ -122,6 +124,7 @@ class Survival(Listed, Result):
     def _notes(self) -> Iterable[str]:
         if self.impulse.size > _LISTED:
             yield f"and more: {span(self.impulse)} N s in all"
+        yield from extrapolated(self.aircraft)
 
 
 def survival(
@@ -282,6 +285,7 @@ def _positive(largest: Any, shape: tuple[int, ...]) -> FloatArray:
 
 def check_tire(plane: Aircraft) -> None:
     """Refuse a tire whose force pulls the wrong way at a large slip angle."""
+    parameters_of(plane, as_model("nonlinear"))  # says more of a tire that cannot be at all
     needed = build("tire_force").name_in()
     others = {s: plane[s][..., None] for s in needed if s != "alpha"}
     slip = np.linspace(0.0, _LARGE_SLIP, 171)[1:]

@@ -19,6 +19,7 @@ from .operating_point import OperatingPoint, points_at
 from .records import Column, Record, measured, run_dims
 from .results import Result
 from .stability import quantity_of
+from .validity import extrapolated
 
 if TYPE_CHECKING:
     import control
@@ -171,6 +172,9 @@ class Linearization(Listed, Result):
             stable = np.count_nonzero(self.decay_rate > 0)
             return f"{head}: {self.decay_rate.shape} points, {stable} of them stable"
         return f"{head}: {'stable' if self.decay_rate > 0 else 'unstable'}"
+
+    def _notes(self) -> Iterable[str]:
+        return extrapolated(self.aircraft)
 
     def _rows(self) -> Iterable[Sequence[str]]:
         if not self.decay_rate.ndim:

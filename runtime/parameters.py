@@ -16,6 +16,7 @@ from .generated import PACKS
 from .memory import check_memory
 from .models import Model
 from .names import PARAMETERS
+from .validity import refuse_impossible_tires
 
 if TYPE_CHECKING:
     from .aircraft import Aircraft
@@ -42,6 +43,7 @@ def parameters_of(plane: Aircraft, model: Model) -> dict[str, FloatArray]:
             missing.append(str(problem))
     if missing:
         raise NotGivenError(_lacking(plane, model, missing), missing[0])
+    refuse_impossible_tires(plane, found)
     return found
 
 

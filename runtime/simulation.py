@@ -23,6 +23,7 @@ from .motion.plan import Plan, planned
 from .motion.signals import Polynomials, Signal
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
+from .validity import extrapolated
 from .values import given
 
 if TYPE_CHECKING:
@@ -148,13 +149,16 @@ class Trajectory(Listed, Result):
             (s, words, sparkline(self[s].reshape(-1, self.t.size)), *rest)
             for s, words, *rest in self._rows()
         ]
-        return table(self._title(), rows)
+        return table(self._title(), rows, self._notes())
 
     def _title(self) -> str:
         shape = self["v"].shape[:-1]
         many = f", {' x '.join(map(str, shape))} runs" if shape else ""
         whose = f"{self.aircraft.name!r}, {as_model(self.model).name} model"
         return f"Trajectory of {whose}, 0 to {self.t[-1]:g} s, {self.t.size} samples{many}"
+
+    def _notes(self) -> Iterable[str]:
+        return extrapolated(self.aircraft, self.values.get("alpha"))
 
     def _rows(self) -> Iterable[Sequence[str]]:
         last = np.maximum((self.t <= self.end[..., None]).sum(axis=-1) - 1, 0)[..., None]

@@ -21,6 +21,7 @@ from .operating_point import OperatingPoint
 from .records import Column, Record, measured, run_dims
 from .results import Result
 from .stability import quantity_of
+from .validity import extrapolated
 
 BoolArray = npt.NDArray[np.bool_]
 
@@ -135,6 +136,9 @@ class Trim(Listed, Result):
         where = "" if math.isinf(self.slip) else f" with |alpha| <= {math.degrees(self.slip):g} deg"
         noun = "equilibrium" if self.count <= 1 else "equilibria"
         return f"{head}: {self.count or 'no'} {noun}{where}"
+
+    def _notes(self) -> Iterable[str]:
+        return extrapolated(self.aircraft, self.values.get("alpha"))
 
     def _rows(self) -> Iterable[Sequence[str]]:
         for k, point in enumerate(() if self.count.ndim else self.points):

@@ -277,6 +277,20 @@ def _tire_module() -> Module:
                 tires.slope_at_zero(),
             ),
             scalar_function(
+                "tire_coefficient",
+                "Cornering coefficient of one tire at a load.",
+                ordered(needed(tires.load_dependence(), [tires.C_c])),
+                (tires.C_c,),
+                tires.load_dependence(),
+            ),
+            scalar_function(
+                "tire_friction",
+                "Friction of one tire at a load.",
+                ordered(needed(tires.load_dependence(), [tires.mu])),
+                (tires.mu,),
+                tires.load_dependence(),
+            ),
+            scalar_function(
                 "magic_formula_of_shape",
                 "Factors with which the normalised curve has the slope 1 and levels off at 1.",
                 (C1,),

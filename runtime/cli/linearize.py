@@ -57,6 +57,7 @@ def command(
     with bar():
         lin = linearize(options.loaded(plane, changes), model, point, speed=speed)
     emit(Output(_text(lin), _rows(lin), _data(lin), lin), form, out)
+    options.tell(lin.aircraft)
 
 
 def _text(lin: Linearization) -> str:

@@ -54,6 +54,7 @@ def command(
     with bar():
         chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
     emit(Output(_text(chart), _rows(chart), _data(chart), chart), form, out)
+    options.tell(chart.aircraft)
     units = {grid.symbol: grid.unit for grid in (x, y) if grid.unit}
     default = f"{chart.aircraft.name}-map"
     options.draw(lambda: chart.plot(units=units).figure, default, form, plot, plotless)

@@ -229,6 +229,16 @@ def aircraft(command: F) -> F:
     return click.argument("plane", type=AircraftName(), metavar="AIRCRAFT")(command)
 
 
+def tell(plane: Aircraft, slip: Any = None) -> None:
+    """Say on stderr what is asked of the tires beyond what they were measured at."""
+    from groundroll.validity import extrapolated
+
+    from .output import say
+
+    for text in extrapolated(plane, slip):
+        say(f"beyond the data: {text}")
+
+
 def loaded(name: str, changes: Changes) -> Aircraft:
     """The aircraft that AIRCRAFT and --set describe."""
     from groundroll.aircraft import Aircraft
@@ -376,4 +386,8 @@ def about(plane: Aircraft, **more: Any) -> Mapping[str, Any]:
     """What identifies a result: version, aircraft and settings."""
     from importlib.metadata import version
 
-    return {"groundroll": version("groundroll"), "aircraft": plane.name, **more}
+    from groundroll.validity import extrapolated
+
+    beyond = extrapolated(plane)
+    told = {"beyond_the_data": beyond} if beyond else {}
+    return {"groundroll": version("groundroll"), "aircraft": plane.name, **told, **more}

@@ -105,6 +105,7 @@ def command(
     cases = _cases(found, speeds)
     data = _data(found, stations, speeds)
     emit(Output(_text(found, cases), _rows(found, cases), data, found), form, out)
+    options.tell(found.aircraft)
     draw = partial(_over_stations, found) if stations.size > 1 else None
     draw = draw or partial(_basin, found, aircraft, speeds, criterion)
     options.draw(draw, f"{aircraft.name}-survival", form, plot, plotless)

@@ -44,6 +44,7 @@ def command(
     with bar():
         found = trim(options.loaded(plane, changes), model, speed=speed, disturbance=disturbance)
     emit(Output(_text(found), _rows(found), _data(found), found), form, out)
+    options.tell(found.aircraft, found["alpha"])
 
 
 def _text(found: Trim) -> str:

@@ -9,12 +9,15 @@ from typing import Any
 import numpy as np
 
 from groundroll.aircraft import Aircraft
+from groundroll.errors import GroundrollError
 from groundroll.models import ModelLike
 from groundroll.progress import Progress, counted
+from groundroll.validity import extrapolated
 
 from .assess import Assessment, assess, here
+from .case import Case
 from .conflict import infeasible
-from .envelope import Envelope
+from .envelope import Envelope, corners
 from .limits import LOAD, Bound, Limits
 from .prices import binding, describe, prices
 from .problem import Problem
@@ -114,11 +117,13 @@ def place_gear(
 def place(problem: Problem) -> Placement:
     """Solve a resolved case; see `place_gear`."""
     case = problem.case
+    _refuse_impossible_tires(case, case.today)
     found = solve(problem)
     solution = found.solution
     if case.objective == "damping_ratio" and solution.level > 1 - 1e-7:
         return _beyond_damping(problem)
     design = case.design(solution.chosen)
+    _refuse_impossible_tires(case, design)
     result = Placement(
         case=case,
         design=design,
@@ -147,6 +152,20 @@ def solve(problem: Problem, starts: list[dict[str, float]] | None = None) -> Fou
     return found
 
 
+def _refuse_impossible_tires(case: Case, design: Mapping[str, float]) -> None:
+    """Refuse a tire that pushes the way it slides at a load within the envelope."""
+    at = corners(case.axes)
+    stiffness = case.values(design, at)["C_alpha"]
+    if (stiffness < 0).any():
+        corner = {s: float(values[stiffness.argmin()]) for s, values in at.items()}
+        ranging = [s for s, axis in case.axes.items() if axis.is_range] or ["x_cg"]
+        raise GroundrollError(
+            f"aircraft {case.plane.name}: at {describe(corner, ranging)} a main tire has a negative"
+            " cornering stiffness: B3 + C3 Fz is a line over load, which holds near the loads that"
+            " were measured"
+        )
+
+
 def _beyond_damping(problem: Problem) -> Placement:
     """Where no mode oscillates anywhere in the envelope, the fastest decay is best."""
     case = problem.case
@@ -166,8 +185,8 @@ def _today(problem: Problem, found: Found) -> Assessment | None:
     today = case.today
     if not all(np.isfinite(today[v.symbol]) for v in case.variables):
         return None
-    corners = {s: np.array([axis.low, axis.high]) for s, axis in case.axes.items()}
-    share = case.values(today, corners)["third_load"]
+    ends = {s: np.array([axis.low, axis.high]) for s, axis in case.axes.items()}
+    share = case.values(today, ends)["third_load"]
     if (share < 0).any() or (share > 1).any():
         return None
     return here(problem, assess(problem, today), found.corners)
@@ -184,6 +203,8 @@ def _notes(found: Placement) -> Iterator[str]:
             "A is singular at the worst corner: the gear stands at the CG and nothing at the tail"
             " holds it, so a heading once lost is not regained"
         )
+    loads = case.values(found.design, corners(case.axes))["Fz"]
+    yield from extrapolated(case.plane, loads=loads)
     load = LOAD[case.layout]
     for standing in found.assessment.standings:
         if standing.bound.limit == load and standing.worst.value < 1e-6:
