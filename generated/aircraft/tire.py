@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 406129565a3aaa86) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 16fcbd70c3aaec0e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """The tire by itself (Chapter 3)."""
 
 from functools import cache
@@ -96,6 +96,68 @@ def tire_slope() -> ca.Function:
         [F_slope],
         ["Fz", "B3", "C3", "B1", "C1", "D1"],
         ["F_slope"],
+    )
+
+
+@cache
+def tire_coefficient() -> ca.Function:
+    """Cornering coefficient of one tire at a load.
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    B3 : scalar [1/rad], cornering coefficient at no load
+    C3 : scalar [1/(rad N)], its change with load
+
+    Outputs
+    -------
+    C_c : 1 x 1, cornering stiffness over load [1/rad]
+
+    Thesis
+    ------
+    Eq. 3.3
+    """
+    Fz = ca.SX.sym("Fz")
+    B3 = ca.SX.sym("B3")
+    C3 = ca.SX.sym("C3")
+    C_c = B3 + C3*Fz  # Eq. 3.3
+    return ca.Function(
+        "tire_coefficient",
+        [Fz, B3, C3],
+        [C_c],
+        ["Fz", "B3", "C3"],
+        ["C_c"],
+    )
+
+
+@cache
+def tire_friction() -> ca.Function:
+    """Friction of one tire at a load.
+
+    Inputs
+    ------
+    Fz : scalar [N], vertical load on one main tire
+    B5 : scalar [1], friction coefficient at no load
+    C5 : scalar [1/N], its change with load
+
+    Outputs
+    -------
+    mu : 1 x 1, lateral friction coefficient [1]
+
+    Thesis
+    ------
+    Eq. 3.5
+    """
+    Fz = ca.SX.sym("Fz")
+    B5 = ca.SX.sym("B5")
+    C5 = ca.SX.sym("C5")
+    mu = B5 + C5*Fz  # Eq. 3.5
+    return ca.Function(
+        "tire_friction",
+        [Fz, B5, C5],
+        [mu],
+        ["Fz", "B5", "C5"],
+        ["mu"],
     )
 
 

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 406129565a3aaa86) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 16fcbd70c3aaec0e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -45,6 +45,14 @@
 #define casadi_f3 CASADI_PREFIX(f3)
 #define casadi_f30 CASADI_PREFIX(f30)
 #define casadi_f31 CASADI_PREFIX(f31)
+#define casadi_f32 CASADI_PREFIX(f32)
+#define casadi_f33 CASADI_PREFIX(f33)
+#define casadi_f34 CASADI_PREFIX(f34)
+#define casadi_f35 CASADI_PREFIX(f35)
+#define casadi_f36 CASADI_PREFIX(f36)
+#define casadi_f37 CASADI_PREFIX(f37)
+#define casadi_f38 CASADI_PREFIX(f38)
+#define casadi_f39 CASADI_PREFIX(f39)
 #define casadi_f4 CASADI_PREFIX(f4)
 #define casadi_f5 CASADI_PREFIX(f5)
 #define casadi_f6 CASADI_PREFIX(f6)
@@ -1730,8 +1738,814 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_slope_work_bytes(casadi_int *sz_arg, cas
   return 0;
 }
 
-/* magic_formula_of_shape:(C1)->(B1,D1) */
+/* tire_coefficient:(Fz,B3,C3)->(C_c) */
 static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[1]? arg[1][0] : 0;
+  a1=arg[2]? arg[2][0] : 0;
+  a2=arg[0]? arg[0][0] : 0;
+  a1=(a1*a2);
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_coefficient(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f8(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int tire_coefficient_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void tire_coefficient_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_coefficient_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_coefficient_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_coefficient_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_coefficient_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real tire_coefficient_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_coefficient_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_coefficient_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "C_c";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_coefficient_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_coefficient_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int tire_coefficient_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_coefficient_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_tire_coefficient:(Fz,B3,C3,out_C_c[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3)->(fwd_C_c) */
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3;
+  a0=arg[5]? arg[5][0] : 0;
+  a1=arg[0]? arg[0][0] : 0;
+  a2=arg[6]? arg[6][0] : 0;
+  a1=(a1*a2);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[4]? arg[4][0] : 0;
+  a2=(a2*a3);
+  a1=(a1+a2);
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_coefficient(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_coefficient_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_coefficient_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_coefficient_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_coefficient_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_coefficient_n_in(void) { return 7;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_coefficient_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_tire_coefficient_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_coefficient_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    case 3: return "out_C_c";
+    case 4: return "fwd_Fz";
+    case 5: return "fwd_B3";
+    case 6: return "fwd_C3";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_coefficient_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_C_c";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_coefficient_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_coefficient_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_coefficient_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_coefficient_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_tire_coefficient:(Fz,B3,C3,out_C_c[1x1,0nz],adj_C_c)->(adj_Fz,adj_B3,adj_C3) */
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[2]? arg[2][0] : 0;
+  a1=arg[4]? arg[4][0] : 0;
+  a0=(a0*a1);
+  if (res[0]!=0) res[0][0]=a0;
+  if (res[1]!=0) res[1][0]=a1;
+  a0=arg[0]? arg[0][0] : 0;
+  a0=(a0*a1);
+  if (res[2]!=0) res[2][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_coefficient(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f10(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_coefficient_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_coefficient_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_coefficient_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_coefficient_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_coefficient_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_coefficient_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_tire_coefficient_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_coefficient_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    case 3: return "out_C_c";
+    case 4: return "adj_C_c";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_coefficient_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_Fz";
+    case 1: return "adj_B3";
+    case 2: return "adj_C3";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_coefficient_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_coefficient_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_coefficient_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_coefficient_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_tire_coefficient:(Fz,B3,C3,out_C_c[1x1,0nz],adj_C_c,out_adj_Fz[1x1,0nz],out_adj_B3[1x1,0nz],out_adj_C3[1x1,0nz],fwd_Fz,fwd_B3,fwd_C3,fwd_out_C_c[1x1,0nz],fwd_adj_C_c)->(fwd_adj_Fz,fwd_adj_B3,fwd_adj_C3) */
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3;
+  a0=arg[4]? arg[4][0] : 0;
+  a1=arg[10]? arg[10][0] : 0;
+  a1=(a0*a1);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[12]? arg[12][0] : 0;
+  a2=(a2*a3);
+  a1=(a1+a2);
+  if (res[0]!=0) res[0][0]=a1;
+  if (res[1]!=0) res[1][0]=a3;
+  a1=arg[8]? arg[8][0] : 0;
+  a0=(a0*a1);
+  a1=arg[0]? arg[0][0] : 0;
+  a1=(a1*a3);
+  a0=(a0+a1);
+  if (res[2]!=0) res[2][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_coefficient(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f11(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_coefficient_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_coefficient_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_coefficient_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_coefficient_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_coefficient_n_in(void) { return 13;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_coefficient_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_tire_coefficient_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_coefficient_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B3";
+    case 2: return "C3";
+    case 3: return "out_C_c";
+    case 4: return "adj_C_c";
+    case 5: return "out_adj_Fz";
+    case 6: return "out_adj_B3";
+    case 7: return "out_adj_C3";
+    case 8: return "fwd_Fz";
+    case 9: return "fwd_B3";
+    case 10: return "fwd_C3";
+    case 11: return "fwd_out_C_c";
+    case 12: return "fwd_adj_C_c";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_coefficient_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_Fz";
+    case 1: return "fwd_adj_B3";
+    case 2: return "fwd_adj_C3";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_coefficient_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s1;
+    case 7: return casadi_s1;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s1;
+    case 12: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_coefficient_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_coefficient_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_coefficient_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* tire_friction:(Fz,B5,C5)->(mu) */
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[1]? arg[1][0] : 0;
+  a1=arg[2]? arg[2][0] : 0;
+  a2=arg[0]? arg[0][0] : 0;
+  a1=(a1*a2);
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_friction(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f12(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int tire_friction_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void tire_friction_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_friction_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void tire_friction_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_friction_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int tire_friction_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real tire_friction_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_friction_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B5";
+    case 2: return "C5";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* tire_friction_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_friction_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* tire_friction_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int tire_friction_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int tire_friction_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 3*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_tire_friction:(Fz,B5,C5,out_mu[1x1,0nz],fwd_Fz,fwd_B5,fwd_C5)->(fwd_mu) */
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3;
+  a0=arg[5]? arg[5][0] : 0;
+  a1=arg[0]? arg[0][0] : 0;
+  a2=arg[6]? arg[6][0] : 0;
+  a1=(a1*a2);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[4]? arg[4][0] : 0;
+  a2=(a2*a3);
+  a1=(a1+a2);
+  a0=(a0+a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_friction(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f13(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_friction_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_friction_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_friction_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_tire_friction_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_friction_n_in(void) { return 7;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_tire_friction_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_tire_friction_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_friction_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B5";
+    case 2: return "C5";
+    case 3: return "out_mu";
+    case 4: return "fwd_Fz";
+    case 5: return "fwd_B5";
+    case 6: return "fwd_C5";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_tire_friction_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_friction_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s0;
+    case 6: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_tire_friction_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_friction_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_tire_friction_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_tire_friction:(Fz,B5,C5,out_mu[1x1,0nz],adj_mu)->(adj_Fz,adj_B5,adj_C5) */
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[2]? arg[2][0] : 0;
+  a1=arg[4]? arg[4][0] : 0;
+  a0=(a0*a1);
+  if (res[0]!=0) res[0][0]=a0;
+  if (res[1]!=0) res[1][0]=a1;
+  a0=arg[0]? arg[0][0] : 0;
+  a0=(a0*a1);
+  if (res[2]!=0) res[2][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_friction(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f14(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_friction_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_friction_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_friction_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_tire_friction_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_friction_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_tire_friction_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_tire_friction_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_friction_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B5";
+    case 2: return "C5";
+    case 3: return "out_mu";
+    case 4: return "adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_tire_friction_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_Fz";
+    case 1: return "adj_B5";
+    case 2: return "adj_C5";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_friction_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_tire_friction_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_friction_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_tire_friction_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_tire_friction:(Fz,B5,C5,out_mu[1x1,0nz],adj_mu,out_adj_Fz[1x1,0nz],out_adj_B5[1x1,0nz],out_adj_C5[1x1,0nz],fwd_Fz,fwd_B5,fwd_C5,fwd_out_mu[1x1,0nz],fwd_adj_mu)->(fwd_adj_Fz,fwd_adj_B5,fwd_adj_C5) */
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3;
+  a0=arg[4]? arg[4][0] : 0;
+  a1=arg[10]? arg[10][0] : 0;
+  a1=(a0*a1);
+  a2=arg[2]? arg[2][0] : 0;
+  a3=arg[12]? arg[12][0] : 0;
+  a2=(a2*a3);
+  a1=(a1+a2);
+  if (res[0]!=0) res[0][0]=a1;
+  if (res[1]!=0) res[1][0]=a3;
+  a1=arg[8]? arg[8][0] : 0;
+  a0=(a0*a1);
+  a1=arg[0]? arg[0][0] : 0;
+  a1=(a1*a3);
+  a0=(a0+a1);
+  if (res[2]!=0) res[2][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_friction(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_friction_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_friction_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_friction_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_tire_friction_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_friction_n_in(void) { return 13;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_tire_friction_n_out(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_tire_friction_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_friction_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "Fz";
+    case 1: return "B5";
+    case 2: return "C5";
+    case 3: return "out_mu";
+    case 4: return "adj_mu";
+    case 5: return "out_adj_Fz";
+    case 6: return "out_adj_B5";
+    case 7: return "out_adj_C5";
+    case 8: return "fwd_Fz";
+    case 9: return "fwd_B5";
+    case 10: return "fwd_C5";
+    case 11: return "fwd_out_mu";
+    case 12: return "fwd_adj_mu";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_tire_friction_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_Fz";
+    case 1: return "fwd_adj_B5";
+    case 2: return "fwd_adj_C5";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_friction_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    case 3: return casadi_s1;
+    case 4: return casadi_s0;
+    case 5: return casadi_s1;
+    case 6: return casadi_s1;
+    case 7: return casadi_s1;
+    case 8: return casadi_s0;
+    case 9: return casadi_s0;
+    case 10: return casadi_s0;
+    case 11: return casadi_s1;
+    case 12: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_tire_friction_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_friction_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_tire_friction_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 13*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* magic_formula_of_shape:(C1)->(B1,D1) */
+static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=arg[0]? arg[0][0] : 0;
   a0=(1./a0);
@@ -1742,7 +2556,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f8(arg, res, iw, w, mem);
+  return casadi_f16(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula_of_shape_checkout(void) {
@@ -1815,7 +2629,7 @@ CASADI_SYMBOL_EXPORT int magic_formula_of_shape_work_bytes(casadi_int *sz_arg, c
 }
 
 /* fwd1_magic_formula_of_shape:(C1,out_B1[1x1,0nz],out_D1[1x1,0nz],fwd_C1)->(fwd_B1,fwd_D1) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   a1=(1./a0);
@@ -1830,7 +2644,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+  return casadi_f17(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula_of_shape_checkout(void) {
@@ -1909,7 +2723,7 @@ CASADI_SYMBOL_EXPORT int fwd1_magic_formula_of_shape_work_bytes(casadi_int *sz_a
 }
 
 /* adj1_magic_formula_of_shape:(C1,out_B1[1x1,0nz],out_D1[1x1,0nz],adj_B1,adj_D1)->(adj_C1) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   a1=(1./a0);
@@ -1922,7 +2736,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f10(arg, res, iw, w, mem);
+  return casadi_f18(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula_of_shape_checkout(void) {
@@ -2001,7 +2815,7 @@ CASADI_SYMBOL_EXPORT int adj1_magic_formula_of_shape_work_bytes(casadi_int *sz_a
 }
 
 /* fwd1_adj1_magic_formula_of_shape:(C1,out_B1[1x1,0nz],out_D1[1x1,0nz],adj_B1,adj_D1,out_adj_C1[1x1,0nz],fwd_C1,fwd_out_B1[1x1,0nz],fwd_out_D1[1x1,0nz],fwd_adj_B1,fwd_adj_D1)->(fwd_adj_C1) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[0]? arg[0][0] : 0;
   a1=(1./a0);
@@ -2024,7 +2838,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_of_shape(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f11(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_of_shape_checkout(void) {
@@ -2115,7 +2929,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_of_shape_work_bytes(casadi_int 
 }
 
 /* mf_lateral:(alpha,Fz,FNOMIN,tangent,PCY1,PDY1,PDY2,PEY1,PEY2,PEY3,PKY1,PKY2,PKY4,PHY1,PHY2,PVY1,PVY2,LFZO,LCY,LMUY,LEY,LKY,LHY,LVY)->(F_mf) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13;
   a00=arg[1]? arg[1][0] : 0;
@@ -2208,7 +3022,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int mf_lateral(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f12(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int mf_lateral_checkout(void) {
@@ -2325,7 +3139,7 @@ CASADI_SYMBOL_EXPORT int mf_lateral_work_bytes(casadi_int *sz_arg, casadi_int* s
 }
 
 /* fwd1_mf_lateral:(alpha,Fz,FNOMIN,tangent,PCY1,PDY1,PDY2,PEY1,PEY2,PEY3,PKY1,PKY2,PKY4,PHY1,PHY2,PVY1,PVY2,LFZO,LCY,LMUY,LEY,LKY,LHY,LVY,out_F_mf[1x1,0nz],fwd_alpha,fwd_Fz,fwd_FNOMIN,fwd_tangent,fwd_PCY1,fwd_PDY1,fwd_PDY2,fwd_PEY1,fwd_PEY2,fwd_PEY3,fwd_PKY1,fwd_PKY2,fwd_PKY4,fwd_PHY1,fwd_PHY2,fwd_PVY1,fwd_PVY2,fwd_LFZO,fwd_LCY,fwd_LMUY,fwd_LEY,fwd_LKY,fwd_LHY,fwd_LVY)->(fwd_F_mf) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -2577,7 +3391,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_mf_lateral(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_mf_lateral_checkout(void) {
@@ -2744,7 +3558,7 @@ CASADI_SYMBOL_EXPORT int fwd1_mf_lateral_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* adj1_mf_lateral:(alpha,Fz,FNOMIN,tangent,PCY1,PDY1,PDY2,PEY1,PEY2,PEY3,PKY1,PKY2,PKY4,PHY1,PHY2,PVY1,PVY2,LFZO,LCY,LMUY,LEY,LKY,LHY,LVY,out_F_mf[1x1,0nz],adj_F_mf)->(adj_alpha,adj_Fz,adj_FNOMIN,adj_tangent,adj_PCY1,adj_PDY1,adj_PDY2,adj_PEY1,adj_PEY2,adj_PEY3,adj_PKY1,adj_PKY2,adj_PKY4,adj_PHY1,adj_PHY2,adj_PVY1,adj_PVY2,adj_LFZO,adj_LCY,adj_LMUY,adj_LEY,adj_LKY,adj_LHY,adj_LVY) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -2977,7 +3791,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_mf_lateral(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f14(arg, res, iw, w, mem);
+  return casadi_f22(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_mf_lateral_checkout(void) {
@@ -3144,7 +3958,7 @@ CASADI_SYMBOL_EXPORT int adj1_mf_lateral_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* fwd1_adj1_mf_lateral:(alpha,Fz,FNOMIN,tangent,PCY1,PDY1,PDY2,PEY1,PEY2,PEY3,PKY1,PKY2,PKY4,PHY1,PHY2,PVY1,PVY2,LFZO,LCY,LMUY,LEY,LKY,LHY,LVY,out_F_mf[1x1,0nz],adj_F_mf,out_adj_alpha[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_FNOMIN[1x1,0nz],out_adj_tangent[1x1,0nz],out_adj_PCY1[1x1,0nz],out_adj_PDY1[1x1,0nz],out_adj_PDY2[1x1,0nz],out_adj_PEY1[1x1,0nz],out_adj_PEY2[1x1,0nz],out_adj_PEY3[1x1,0nz],out_adj_PKY1[1x1,0nz],out_adj_PKY2[1x1,0nz],out_adj_PKY4[1x1,0nz],out_adj_PHY1[1x1,0nz],out_adj_PHY2[1x1,0nz],out_adj_PVY1[1x1,0nz],out_adj_PVY2[1x1,0nz],out_adj_LFZO[1x1,0nz],out_adj_LCY[1x1,0nz],out_adj_LMUY[1x1,0nz],out_adj_LEY[1x1,0nz],out_adj_LKY[1x1,0nz],out_adj_LHY[1x1,0nz],out_adj_LVY[1x1,0nz],fwd_alpha,fwd_Fz,fwd_FNOMIN,fwd_tangent,fwd_PCY1,fwd_PDY1,fwd_PDY2,fwd_PEY1,fwd_PEY2,fwd_PEY3,fwd_PKY1,fwd_PKY2,fwd_PKY4,fwd_PHY1,fwd_PHY2,fwd_PVY1,fwd_PVY2,fwd_LFZO,fwd_LCY,fwd_LMUY,fwd_LEY,fwd_LKY,fwd_LHY,fwd_LVY,fwd_out_F_mf[1x1,0nz],fwd_adj_F_mf)->(fwd_adj_alpha,fwd_adj_Fz,fwd_adj_FNOMIN,fwd_adj_tangent,fwd_adj_PCY1,fwd_adj_PDY1,fwd_adj_PDY2,fwd_adj_PEY1,fwd_adj_PEY2,fwd_adj_PEY3,fwd_adj_PKY1,fwd_adj_PKY2,fwd_adj_PKY4,fwd_adj_PHY1,fwd_adj_PHY2,fwd_adj_PVY1,fwd_adj_PVY2,fwd_adj_LFZO,fwd_adj_LCY,fwd_adj_LMUY,fwd_adj_LEY,fwd_adj_LKY,fwd_adj_LHY,fwd_adj_LVY) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -3773,7 +4587,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_mf_lateral(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f23(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_mf_lateral_checkout(void) {
@@ -4040,7 +4854,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_mf_lateral_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* outside_diameter:(d_rim,w_tire)->(d_tire) */
-static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[0]? arg[0][0] : 0;
   a1=1.8400000000000001e+00;
@@ -4052,7 +4866,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int outside_diameter_checkout(void) {
@@ -4125,7 +4939,7 @@ CASADI_SYMBOL_EXPORT int outside_diameter_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* fwd1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],fwd_d_rim,fwd_w_tire)->(fwd_d_tire) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[3]? arg[3][0] : 0;
   a1=1.8400000000000001e+00;
@@ -4137,7 +4951,7 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_outside_diameter_checkout(void) {
@@ -4216,7 +5030,7 @@ CASADI_SYMBOL_EXPORT int fwd1_outside_diameter_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* adj1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],adj_d_tire)->(adj_d_rim,adj_w_tire) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[3]? arg[3][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -4227,7 +5041,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f18(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_outside_diameter_checkout(void) {
@@ -4306,7 +5120,7 @@ CASADI_SYMBOL_EXPORT int adj1_outside_diameter_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_adj1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],adj_d_tire,out_adj_d_rim[1x1,0nz],out_adj_w_tire[1x1,0nz],fwd_d_rim,fwd_w_tire,fwd_out_d_tire[1x1,0nz],fwd_adj_d_tire)->(fwd_adj_d_rim,fwd_adj_w_tire) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[9]? arg[9][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -4317,7 +5131,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter_checkout(void) {
@@ -4408,7 +5222,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter_work_bytes(casadi_int *sz_ar
 }
 
 /* magic_formula:(alpha_bar,B1,C1,D1,E1)->(F_bar) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[2]? arg[2][0] : 0;
@@ -4433,7 +5247,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f28(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula_checkout(void) {
@@ -4512,7 +5326,7 @@ CASADI_SYMBOL_EXPORT int magic_formula_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* fwd1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1)->(fwd_F_bar) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18;
   a00=arg[2]? arg[2][0] : 0;
@@ -4573,7 +5387,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula_checkout(void) {
@@ -4664,7 +5478,7 @@ CASADI_SYMBOL_EXPORT int fwd1_magic_formula_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar)->(adj_alpha_bar,adj_B1,adj_C1,adj_D1,adj_E1) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15;
   a00=arg[1]? arg[1][0] : 0;
@@ -4720,7 +5534,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f22(arg, res, iw, w, mem);
+  return casadi_f30(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula_checkout(void) {
@@ -4811,7 +5625,7 @@ CASADI_SYMBOL_EXPORT int adj1_magic_formula_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar,out_adj_alpha_bar[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],out_adj_E1[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1,fwd_out_F_bar[1x1,0nz],fwd_adj_F_bar)->(fwd_adj_alpha_bar,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1,fwd_adj_E1) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -4953,7 +5767,7 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f23(arg, res, iw, w, mem);
+  return casadi_f31(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_checkout(void) {
@@ -5068,7 +5882,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_work_bytes(casadi_int *sz_arg, 
 }
 
 /* measured_coefficients:(alpha,F_y,F_peak,Fz)->(C_c,mu) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[3]? arg[3][0] : 0;
@@ -5083,7 +5897,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int measured_coefficients_checkout(void) {
@@ -5162,7 +5976,7 @@ CASADI_SYMBOL_EXPORT int measured_coefficients_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz)->(fwd_C_c,fwd_mu) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[7]? arg[7][0] : 0;
   a1=arg[3]? arg[3][0] : 0;
@@ -5192,7 +6006,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f25(arg, res, iw, w, mem);
+  return casadi_f33(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_checkout(void) {
@@ -5283,7 +6097,7 @@ CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_work_bytes(casadi_int *sz_ar
 }
 
 /* adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu)->(adj_alpha,adj_F_y,adj_F_peak,adj_Fz) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -5313,7 +6127,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f26(arg, res, iw, w, mem);
+  return casadi_f34(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_checkout(void) {
@@ -5404,7 +6218,7 @@ CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_work_bytes(casadi_int *sz_ar
 }
 
 /* fwd1_adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_F_peak[1x1,0nz],out_adj_Fz[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz,fwd_out_C_c[1x1,0nz],fwd_out_mu[1x1,0nz],fwd_adj_C_c,fwd_adj_mu)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_F_peak,fwd_adj_Fz) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12;
   a00=arg[1]? arg[1][0] : 0;
@@ -5477,7 +6291,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f35(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_checkout(void) {
@@ -5592,7 +6406,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_work_bytes(casadi_int *
 }
 
 /* normalised_data:(alpha,F_y,Fz,C_c,mu)->(alpha_bar,F_bar) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -5610,7 +6424,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f36(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int normalised_data_checkout(void) {
@@ -5691,7 +6505,7 @@ CASADI_SYMBOL_EXPORT int normalised_data_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* fwd1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu)->(fwd_alpha_bar,fwd_F_bar) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[0]? arg[0][0] : 0;
   a1=tan(a0);
@@ -5731,7 +6545,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_normalised_data_checkout(void) {
@@ -5826,7 +6640,7 @@ CASADI_SYMBOL_EXPORT int fwd1_normalised_data_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar)->(adj_alpha,adj_F_y,adj_Fz,adj_C_c,adj_mu) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[7]? arg[7][0] : 0;
@@ -5865,7 +6679,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f30(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_normalised_data_checkout(void) {
@@ -5960,7 +6774,7 @@ CASADI_SYMBOL_EXPORT int adj1_normalised_data_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_C_c[1x1,0nz],out_adj_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu,fwd_out_alpha_bar[1x1,0nz],fwd_out_F_bar[1x1,0nz],fwd_adj_alpha_bar,fwd_adj_F_bar)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_Fz,fwd_adj_C_c,fwd_adj_mu) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
   a00=arg[7]? arg[7][0] : 0;
@@ -6062,7 +6876,7 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f31(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data_checkout(void) {
