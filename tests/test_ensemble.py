@@ -356,10 +356,10 @@ def test_memory_stays_bounded(monkeypatch: pytest.MonkeyPatch):
     alive: list[int] = []
     work = engine.integrate
 
-    def counted(task: lanes.Task, threads: int) -> lanes.Outcome:
+    def counted(task: lanes.Task, *how: object) -> lanes.Outcome:
         alive.append(task.count)
         assert all(array.size in (1, task.count) for array in task.x0.values())
-        return work(task, threads)
+        return work(task, *how)
 
     monkeypatch.setattr(engine, "integrate", counted)
     gr.ensemble(PLANE, 0.1, r0=np.linspace(-1, 1, 300)[:, None], v0=np.ones(10), chunk=256)

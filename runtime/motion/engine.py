@@ -52,30 +52,36 @@ def integrated(
     if len(chunks) > 1 and plan.follows:
         for each in chunks:
             plan.task(each)  # what cannot be is found before any work starts
-    if len(chunks) == 1 and executor is None:
-        with counted(progress, "trajectories", plan.count) as done:
-            result = integrate(plan.task(chunks[0]), count)
-            done.add(plan.count)
-        return result
     result = plan.room()
-    work, keep = partial(integrate, threads=count), partial(_keep, result)
     with counted(progress, "trajectories", plan.count) as done:
-        run(work, chunks, plan.task, keep, done.add, executor)
+        if executor is not None:
+            work, keep = partial(integrate, threads=count), partial(_keep, result)
+            run(work, chunks, plan.task, keep, done.add, executor)
+        else:
+            for each in chunks:
+                integrate(plan.task(each), count, result.part(each))
+                done.add(len(each))
     return result
 
 
-def integrate(task: Task, threads: int) -> Outcome:
+def integrate(task: Task, threads: int = 1, into: Outcome | None = None) -> Outcome:
     """One chunk, wherever this runs."""
     if lanes.can_compile(task.model):
-        return lanes.integrate(task, threads)
-    return integrate_in_vm(task)
+        return lanes.integrate(task, threads, into)
+    found = integrate_in_vm(task)
+    if into is not None:
+        _copy(found, into)
+    return found
 
 
 def _keep(result: Outcome, chunk: range, found: Outcome) -> None:
     """Put what came of a chunk where it belongs."""
-    where = slice(chunk.start, chunk.stop)
+    _copy(found, result.part(chunk))
+
+
+def _copy(found: Outcome, into: Outcome) -> None:
     for name in ("status", "steps", "estimate", "end", "cause", "largest", "first"):
-        getattr(result, name)[..., where] = getattr(found, name)
+        getattr(into, name)[...] = getattr(found, name)
     for kind in ("final", "samples"):
-        for name, array in getattr(result, kind).items():
-            array[where] = getattr(found, kind)[name]
+        for name, array in getattr(into, kind).items():
+            array[...] = getattr(found, kind)[name]

@@ -182,6 +182,21 @@ class Outcome:
             first=np.empty((watches, n)),
         )
 
+    def part(self, chunk: range) -> Outcome:
+        """Some of the trajectories, as views."""
+        where = slice(chunk.start, chunk.stop)
+        return Outcome(
+            status=self.status[where],
+            steps=self.steps[where],
+            estimate=self.estimate[where],
+            end=self.end[where],
+            cause=self.cause[where],
+            final={s: array[where] for s, array in self.final.items()},
+            samples={s: array[where] for s, array in self.samples.items()},
+            largest=self.largest[:, where],
+            first=self.first[:, where],
+        )
+
 
 class _Signal(ctypes.Structure):
     """``signal_t`` of ``model.c``."""
@@ -302,8 +317,15 @@ def smallest(model: Pack, names: Iterable[str]) -> int:
     raise unknown("name", min(wanted.difference(rows)), rows, model.name)
 
 
-def integrate(task: Task, threads: int = 1) -> Outcome:
+def integrate(task: Task, threads: int = 1, into: Outcome | None = None) -> Outcome:
     """Integrate every trajectory of a task; its bits do not depend on the number of threads.
+
+    Parameters
+    ----------
+    task : Task
+    threads : int
+    into : Outcome, optional
+        Where the results are written; new arrays if omitted.
 
     Raises
     ------
@@ -314,7 +336,7 @@ def integrate(task: Task, threads: int = 1) -> Outcome:
     states = model.carried[task.carry]
     rows = (*states, *model.outputs)
     moments = np.ascontiguousarray(task.times, dtype=np.float64)
-    outcome = Outcome.empty(n, task.final, task.sampled, moments.size, len(task.watches))
+    outcome = into or Outcome.empty(n, task.final, task.sampled, moments.size, len(task.watches))
     zero = np.zeros(1)
     given = [task.inputs.get(s, zero) for s in model.inputs]
     x0 = _Pointers(task.x0.get(s, zero) for s in states)
