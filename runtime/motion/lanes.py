@@ -22,7 +22,7 @@ from groundroll.generated.library import say_once
 #: Trajectories that a thread integrates side by side.
 _LANES = 32
 #: Attempted steps after which a trajectory is given up.
-_MAX_STEPS = 100_000
+_MAX_STEPS = 500_000
 #: Most coefficients of a polynomial of an input, and most rows that can be watched.
 TERMS, WATCHES = 16, 32
 _ENSEMBLE, _TRAJECTORY = 1, 2

@@ -319,14 +319,14 @@ static void watch(block_t *b, const job_t *job)
         for (int l = 0; l < LANES; ++l) {
             if (!stepped(b, l))
                 continue;
+            double first = b->t[l] + when[l] * b->stop[l] * b->h[l];
             if (b->cause[l] == i) {
                 const watch_t *w = &job->watches[i];
                 top[l] = larger(top[l], w->limit[b->id[l] * w->limit_stride]);
-                when[l] = smaller(when[l], 1.0);
+                first = b->finish[l];
             }
             b->largest[i][l] = top[l] > b->largest[i][l] ? top[l] : b->largest[i][l];
-            if (when[l] < INFINITY && b->first[i][l] == INFINITY)
-                b->first[i][l] = b->t[l] + when[l] * b->stop[l] * b->h[l];
+            b->first[i][l] = smaller(b->first[i][l], first);
         }
     }
 }

@@ -11,7 +11,7 @@ enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8 };
 
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0;
 static const double SHARE = 0.2;           /* local tolerance tau / tol */
-static const double TRUST = 1.0;           /* estimated global error / tol that is accepted */
+static const double TRUST = 0.5;           /* estimated global error / tol that is accepted */
 static const double REACH = 10.5, HOLD = 0.97;  /* see cap() */
 static const double GUARD = 0.7;           /* see measure() */
 static const double BETWEEN = 0.003;       /* see measure_between() */
@@ -368,7 +368,9 @@ static int retry(block_t *b, int l, const job_t *job)
 {
     if (b->state[l] != OK)
         return 0;
-    const double found = estimate(b, l, job->t_end), trusted = TRUST * job->tol;
+    /* at fine tolerances estimates are larger beside the errors, as steps are closer to even */
+    const double fine = pow(1e-6 / smaller(job->tol, 1e-6), 0.1), trust = smaller(TRUST * fine, 1.0);
+    const double found = estimate(b, l, job->t_end), trusted = trust * job->tol;
     if (found <= trusted)
         return 0;
     if (b->retries[l] == RETRIES || b->tau[l] <= FINEST) {
