@@ -952,7 +952,7 @@ enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8 };
 
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0;
 static const double SHARE = 0.2;           /* local tolerance tau / tol */
-static const double TRUST = 1.0;           /* estimated global error / tol that is accepted */
+static const double TRUST = 0.5;           /* estimated global error / tol that is accepted */
 static const double REACH = 10.5, HOLD = 0.97;  /* see cap() */
 static const double GUARD = 0.7;           /* see measure() */
 static const double BETWEEN = 0.003;       /* see measure_between() */
@@ -1829,14 +1829,14 @@ static void watch(block_t *b, const job_t *job)
         for (int l = 0; l < LANES; ++l) {
             if (!stepped(b, l))
                 continue;
+            double first = b->t[l] + when[l] * b->stop[l] * b->h[l];
             if (b->cause[l] == i) {
                 const watch_t *w = &job->watches[i];
                 top[l] = larger(top[l], w->limit[b->id[l] * w->limit_stride]);
-                when[l] = smaller(when[l], 1.0);
+                first = b->finish[l];
             }
             b->largest[i][l] = top[l] > b->largest[i][l] ? top[l] : b->largest[i][l];
-            if (when[l] < INFINITY && b->first[i][l] == INFINITY)
-                b->first[i][l] = b->t[l] + when[l] * b->stop[l] * b->h[l];
+            b->first[i][l] = smaller(b->first[i][l], first);
         }
     }
 }
@@ -1997,7 +1997,9 @@ static int retry(block_t *b, int l, const job_t *job)
 {
     if (b->state[l] != OK)
         return 0;
-    const double found = estimate(b, l, job->t_end), trusted = TRUST * job->tol;
+    /* at fine tolerances estimates are larger beside the errors, as steps are closer to even */
+    const double fine = pow(1e-6 / smaller(job->tol, 1e-6), 0.1), trust = smaller(TRUST * fine, 1.0);
+    const double found = estimate(b, l, job->t_end), trusted = trust * job->tol;
     if (found <= trusted)
         return 0;
     if (b->retries[l] == RETRIES || b->tau[l] <= FINEST) {
