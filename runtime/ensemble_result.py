@@ -17,7 +17,7 @@ from .motion.lanes import STATUS
 from .motion.signals import Polynomials
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
-from .validity import extrapolated
+from .validity import extrapolated_in
 
 #: Arrays by name of an ensemble -> what they are called.
 _NAMED = {
@@ -214,4 +214,4 @@ class Ensemble(Listed, Result):
             share = np.isfinite(self.first[s]).mean()
             unit = unit_of(as_model(self.model).quantities[s])
             yield f"{100 * share:.3g} % reach |{s}| = {limit:g} {unit}".rstrip()
-        yield from extrapolated(self.aircraft, self.largest.get("alpha"))
+        yield from extrapolated_in(self.aircraft, self.largest)

@@ -23,7 +23,7 @@ from .motion.plan import Plan, planned
 from .motion.signals import Polynomials, Signal
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
-from .validity import extrapolated
+from .validity import extrapolated_in
 from .values import given
 
 if TYPE_CHECKING:
@@ -158,7 +158,7 @@ class Trajectory(Listed, Result):
         return f"Trajectory of {whose}, 0 to {self.t[-1]:g} s, {self.t.size} samples{many}"
 
     def _notes(self) -> Iterable[str]:
-        return extrapolated(self.aircraft, self.values.get("alpha"))
+        return extrapolated_in(self.aircraft, self.values)
 
     def _rows(self) -> Iterable[Sequence[str]]:
         last = np.maximum((self.t <= self.end[..., None]).sum(axis=-1) - 1, 0)[..., None]

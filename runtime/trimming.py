@@ -21,7 +21,7 @@ from .operating_point import OperatingPoint
 from .records import Column, Record, measured, run_dims
 from .results import Result
 from .stability import quantity_of
-from .validity import extrapolated
+from .validity import extrapolated_in
 
 BoolArray = npt.NDArray[np.bool_]
 
@@ -138,7 +138,7 @@ class Trim(Listed, Result):
         return f"{head}: {self.count or 'no'} {noun}{where}"
 
     def _notes(self) -> Iterable[str]:
-        return extrapolated(self.aircraft, self.values.get("alpha"))
+        return extrapolated_in(self.aircraft, self.values)
 
     def _rows(self) -> Iterable[Sequence[str]]:
         for k, point in enumerate(() if self.count.ndim else self.points):

@@ -22,6 +22,13 @@ _SLACK = 0.02
 _NEAR = 0.15
 
 
+#: Slip angles and loads of main tires in results, by symbol.
+_SLIP_ANGLES = ("alpha", "alpha_left", "alpha_right")
+_WHEEL_LOADS = ("Fz_left", "Fz_right")
+#: Speed, m/s, from which a slip angle makes forces.
+_ROLLING = 1.0
+
+
 def refuse_impossible_tires(plane: Aircraft, values: Mapping[str, FloatArray]) -> None:
     """Refuse a tire that pushes the way it slides, or without friction, at the load it carries.
 
@@ -67,6 +74,22 @@ def extrapolated(plane: Aircraft, slip: Any = None, loads: Any = None) -> tuple[
         Empty if there is nothing to tell, or nothing known of what was measured.
     """
     return (*_loads(plane, loads), *_slip(plane, slip))
+
+
+def extrapolated_in(plane: Aircraft, values: Mapping[str, FloatArray]) -> tuple[str, ...]:
+    """The same of results by symbol: slip angles and loads of the main tires, as far as they are.
+
+    Slip below 1 m/s says nothing of forces. Loads below those measured are common, as the wings
+    carry a part of the weight at speed, and the line over load is near there.
+    """
+    rolls = values["u"] > _ROLLING if "u" in values else True
+    slips = [np.where(rolls, np.abs(values[s]), 0.0) for s in _SLIP_ANGLES if s in values]
+    slip = np.concatenate([x.ravel() for x in slips]) if slips else None
+    found = [values[s].ravel() for s in _WHEEL_LOADS if s in values]
+    if not found or "Fz_low" not in plane:
+        return extrapolated(plane, slip)
+    above = np.maximum(np.concatenate(found), float(plane["Fz_low"].max()))
+    return extrapolated(plane, slip, above[np.isfinite(above)])
 
 
 def _loads(plane: Aircraft, loads: Any) -> Iterator[str]:

@@ -159,7 +159,7 @@ def command(
             **numbers,
             **(axes if random else _crossed(axes)),
         )
-    options.tell(ens.aircraft, ens.largest.get("alpha"))
+    options.tell(ens.aircraft, ens.largest)
     if not ens.ok.all():
         lost = ", ".join(f"{n} {name}" for name, n in ens.counts.items() if name != "ok")
         say(f"not every trajectory is ok: {lost}")

@@ -229,13 +229,13 @@ def aircraft(command: F) -> F:
     return click.argument("plane", type=AircraftName(), metavar="AIRCRAFT")(command)
 
 
-def tell(plane: Aircraft, slip: Any = None) -> None:
-    """Say on stderr what is asked of the tires beyond what they were measured at."""
-    from groundroll.validity import extrapolated
+def tell(plane: Aircraft, values: Mapping[str, Any] | None = None) -> None:
+    """Say on stderr what is asked of the tires, in results, beyond what they were measured at."""
+    from groundroll.validity import extrapolated_in
 
     from .output import say
 
-    for text in extrapolated(plane, slip):
+    for text in extrapolated_in(plane, values or {}):
         say(f"beyond the data: {text}")
 
 

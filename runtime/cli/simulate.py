@@ -121,7 +121,7 @@ def command(
         )
         metrics = run.metrics(_MEASURED)
     emit(Output(_text(run, metrics), _rows(run), _data(run, metrics), run), form, out)
-    options.tell(run.aircraft, run["alpha"])
+    options.tell(run.aircraft, run.values)
     names = tuple(name.strip() for name in show.split(","))
     figure = partial(_runway, run) if view == "runway" else partial(_history, run, names)
     options.draw(figure, f"{run.aircraft.name}-simulate", form, plot, plotless)

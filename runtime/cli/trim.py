@@ -44,7 +44,7 @@ def command(
     with bar():
         found = trim(options.loaded(plane, changes), model, speed=speed, disturbance=disturbance)
     emit(Output(_text(found), _rows(found), _data(found), found), form, out)
-    options.tell(found.aircraft, found["alpha"])
+    options.tell(found.aircraft, found.values)
 
 
 def _text(found: Trim) -> str:
