@@ -14,7 +14,10 @@ from hypothesis import strategies as st
 import groundroll as gr
 from groundroll.checking import check
 from groundroll.cli import main
-from groundroll.validity import extrapolated
+from groundroll.derive.core.equation import expand
+from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.parts import friction
+from groundroll.validity import extrapolated, extrapolated_in
 
 BROTT = gr.Aircraft.load("brott-physical")
 HEAVY = BROTT.replace(mass="3000 kg")
@@ -73,6 +76,33 @@ class TestNegativeStiffness:
         except gr.GroundrollError:
             return
         assert lin.A[0, 0] < 0
+
+
+class TestWheelsOnLegs:
+    """Loads of a landing roll are states: there is nothing to refuse before it starts."""
+
+    @given(st.floats(0.0, 60e3), st.floats(-3.0, 3.0))
+    def test_no_load_makes_a_tire_push_the_way_it_slides(self, load: float, slip: float) -> None:
+        Fz, at = Quantity("Fz", "load", "N", "load"), friction.slip
+        surface = Quantity("surface", "surface", "1", "surface")
+        chain = friction.radt(surface)(Fz)
+        tire = {s: float(BROTT[s]) for s in map(str, friction.TIRE)}
+        point = {"Fz": load, "surface": 1.0, str(at): slip, **tire}
+        grip = expand(friction.grip, chain).subs({q: point[str(q)] for q in _symbols(chain, point)})
+        assert float(grip) * slip >= 0
+
+    def test_runs_tell_of_wheels_beyond_the_data(self) -> None:
+        turning = {"alpha_left": np.radians([5.0, 30.0]), "Fz_right": np.array([1e3, 6e3])}
+        load, slip = extrapolated_in(BROTT, {"u": np.array([20.0, 20.0]), **turning})
+        assert load.startswith("the load on a main tire, 1779 to 6000 N, is beyond")
+        assert "reach 30 deg" in slip
+        standing = {"u": np.array([20.0, 0.1]), "alpha_left": turning["alpha_left"]}
+        assert extrapolated_in(BROTT, standing) == ()
+
+
+def _symbols(chain: Any, point: dict[str, float]) -> list[Any]:
+    """The free symbols of a chain that have a value."""
+    return [q for e in chain for q in e.rhs.free_symbols if str(q) in point]
 
 
 class TestTold:

@@ -45,6 +45,8 @@ left_over = Quantity(
 )
 across = Quantity("across", "side_part", "1", "side force over the friction, to the left")
 
+#: Friction of a tire whose line over load would have none.
+LEAST = sp.Rational(1, 1000)
 #: A curvature factor this little above 1 peaks beyond any slip.
 _NEVER = sp.Rational(1, 10**12)
 
@@ -62,15 +64,18 @@ def radt(surface: Quantity, wheel: str = "", measure: Quantity = slip) -> Tire:
     its angle, as in the thesis, or by another quantity, such as the angle itself.
 
     With a curvature factor above 1, as the thesis prints, the magic formula peaks, falls and in
-    the end pushes the way the tire slides. Here it stays where it peaks.
+    the end pushes the way the tire slides. Here it stays where it peaks. The straight lines over
+    load end at nothing: a load far above those that were measured, in a hard bounce, makes a tire
+    that slides freely, and never one that pushes the way it slides.
     """
     of_wheel = {q: q.of(wheel) for q in TIRE}
     peak = 1 / (given.B1 * sp.sqrt(sp.Max(given.E1 - 1, _NEVER)))
 
     def tire(load: Quantity) -> Chain:
+        friction = sp.Max(LEAST, given.B5 + given.C5 * load)
         chain = (
-            Equation(C_c, given.B3 + given.C3 * load, "Eq. 3.3"),
-            Equation(mu, (given.B5 + given.C5 * load) * surface, "Eq. 3.5"),
+            Equation(C_c, sp.Max(0, given.B3 + given.C3 * load), "Eq. 3.3, never below 0"),
+            Equation(mu, friction * surface, "Eq. 3.5, never below a thousandth"),
             Equation(alpha_free, C_c * measure / mu, "Eq. 3.6"),
             Equation(alpha_bar, sp.Max(-peak, sp.Min(peak, alpha_free)), "held at the peak"),
             *magic_formula(),

@@ -37,7 +37,7 @@ def radt(p: Mapping[str, float]) -> Side:
     """The thesis's tire: Radt's normalised slip and the magic formula (Eqs. 3.3 to 3.11)."""
 
     def coefficient(across: float, along: float, load: float) -> float:
-        stiffness = p["B3"] + p["C3"] * load
+        stiffness = max(0.0, p["B3"] + p["C3"] * load)
         mu = friction(p, load)
         slip = p["B1"] * stiffness * across / (along * mu)
         bent = (1 - p["E1"]) * slip + p["E1"] * atan(slip)
@@ -48,7 +48,7 @@ def radt(p: Mapping[str, float]) -> Side:
 
 def friction(p: Mapping[str, float], load: float) -> float:
     """The friction coefficient of the thesis's tire at a load, times its surface."""
-    return (p["B5"] + p["C5"] * load) * p.get("surface", 1.0)
+    return max(1e-3, p["B5"] + p["C5"] * load) * p.get("surface", 1.0)
 
 
 def side(wheel: Mapping[str, Any]) -> Side:
