@@ -1,4 +1,4 @@
-# Generated from derive/ (digest f19d6153f4698fe4) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 98ff296f34307033) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """A rigid body on three wheels with legs, in wind, braked and steered, until it stops."""
 
 from functools import cache
@@ -46,9 +46,9 @@ def rhs() -> ca.Function:
 
     Thesis
     ------
-    Eq. 4.10 at the foot, Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 3.3, Eq. 3.5,
-    Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq. 3.7, Eq. 3.11, Eq. 4.10 through the air, Eq.
-    4.19, Eq. 4.29, Eq. 4.8, Eq. 4.9
+    Eq. 4.10 at the foot, Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 3.3, never
+    below 0, Eq. 3.5, never below a thousandth, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq.
+    3.7, Eq. 3.11, Eq. 4.10 through the air, Eq. 4.19, Eq. 4.29, Eq. 4.8, Eq. 4.9
     """
     x_ = ca.SX.sym("x", 14)
     u, v, w, p, q, r, chi_third, chi_rate_third, X, Y, Z, phi, theta, psi = ca.vertsplit(x_)
@@ -96,8 +96,8 @@ def rhs() -> ca.Function:
     tan_alpha_left = V_y_left/ca.sqrt(w36)  # Eq. 4.13, at any speed
     V2_fade_left = ca.sqrt(v_rest**4 + (V_x_left**2 + V_y_left**2)**2)  # near rest
     V_fade_left = ca.sqrt(V2_fade_left)  # near rest
-    C_c_left = B3 + C3*Fz_left  # Eq. 3.3
-    mu_left = surface_left*(B5 + C5*Fz_left)  # Eq. 3.5
+    C_c_left = ca.fmax(0, B3 + C3*Fz_left)  # Eq. 3.3, never below 0
+    mu_left = surface_left*ca.fmax(1/1000, B5 + C5*Fz_left)  # Eq. 3.5, never below a thousandth
     alpha_free_left = C_c_left*tan_alpha_left/mu_left  # Eq. 3.6
     w42 = 1/(B1*ca.sqrt(ca.fmax(1/1000000000000, E1 - 1)))
     alpha_bar_left = ca.fmax(-w42, ca.fmin(alpha_free_left, w42))  # held at the peak
@@ -144,8 +144,8 @@ def rhs() -> ca.Function:
     tan_alpha_right = V_y_right/ca.sqrt(w72)  # Eq. 4.13, at any speed
     V2_fade_right = ca.sqrt(v_rest**4 + (V_x_right**2 + V_y_right**2)**2)  # near rest
     V_fade_right = ca.sqrt(V2_fade_right)  # near rest
-    C_c_right = B3 + C3*Fz_right  # Eq. 3.3
-    mu_right = surface_right*(B5 + C5*Fz_right)  # Eq. 3.5
+    C_c_right = ca.fmax(0, B3 + C3*Fz_right)  # Eq. 3.3, never below 0
+    mu_right = surface_right*ca.fmax(1/1000, B5 + C5*Fz_right)  # Eq. 3.5, never below a thousandth
     alpha_free_right = C_c_right*tan_alpha_right/mu_right  # Eq. 3.6
     alpha_bar_right = ca.fmax(-w42, ca.fmin(alpha_free_right, w42))  # held at the peak
     psi_bar_right = alpha_bar_right*(1 - E1) + E1*ca.atan(B1*alpha_bar_right)/B1  # Eq. 3.10
@@ -196,8 +196,8 @@ def rhs() -> ca.Function:
     tan_alpha_third = V_y_third/ca.sqrt(w107)  # Eq. 4.13, at any speed
     V2_fade_third = ca.sqrt(v_rest**4 + (V_x_third**2 + V_y_third**2)**2)  # near rest
     V_fade_third = ca.sqrt(V2_fade_third)  # near rest
-    C_c_third = B3_third + C3_third*Fz_third  # Eq. 3.3
-    mu_third = surface_third*(B5_third + C5_third*Fz_third)  # Eq. 3.5
+    C_c_third = ca.fmax(0, B3_third + C3_third*Fz_third)  # Eq. 3.3, never below 0
+    mu_third = surface_third*ca.fmax(1/1000, B5_third + C5_third*Fz_third)  # Eq. 3.5, never below a thousandth
     alpha_free_third = C_c_third*tan_alpha_third/mu_third  # Eq. 3.6
     w112 = 1/(B1_third*ca.sqrt(ca.fmax(1/1000000000000, E1_third - 1)))
     alpha_bar_third = ca.fmax(-w112, ca.fmin(alpha_free_third, w112))  # held at the peak
@@ -354,8 +354,9 @@ def outputs() -> ca.Function:
     Thesis
     ------
     Eq. 4.10 at the foot, Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 4.13, Eq.
-    3.3, Eq. 3.5, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq. 3.7, Eq. 3.11, Eq. 4.10 through
-    the air, Eq. 4.19, Eq. 4.29, Eq. 4.3, Eq. 4.8, Eq. 4.9, Eq. 4.7
+    3.3, never below 0, Eq. 3.5, never below a thousandth, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq.
+    3.8, Eq. 3.7, Eq. 3.11, Eq. 4.10 through the air, Eq. 4.19, Eq. 4.29, Eq. 4.3, Eq. 4.8,
+    Eq. 4.9, Eq. 4.7
     """
     x_ = ca.SX.sym("x", 14)
     u, v, w, p, q, r, chi_third, chi_rate_third, X, Y, Z, phi, theta, psi = ca.vertsplit(x_)
@@ -404,8 +405,8 @@ def outputs() -> ca.Function:
     alpha_left = ca.atan(tan_alpha_left)  # Eq. 4.13
     V2_fade_left = ca.sqrt(v_rest**4 + (V_x_left**2 + V_y_left**2)**2)  # near rest
     V_fade_left = ca.sqrt(V2_fade_left)  # near rest
-    C_c_left = B3 + C3*Fz_left  # Eq. 3.3
-    mu_left = surface_left*(B5 + C5*Fz_left)  # Eq. 3.5
+    C_c_left = ca.fmax(0, B3 + C3*Fz_left)  # Eq. 3.3, never below 0
+    mu_left = surface_left*ca.fmax(1/1000, B5 + C5*Fz_left)  # Eq. 3.5, never below a thousandth
     alpha_free_left = C_c_left*tan_alpha_left/mu_left  # Eq. 3.6
     w43 = 1/(B1*ca.sqrt(ca.fmax(1/1000000000000, E1 - 1)))
     alpha_bar_left = ca.fmax(-w43, ca.fmin(alpha_free_left, w43))  # held at the peak
@@ -453,8 +454,8 @@ def outputs() -> ca.Function:
     alpha_right = ca.atan(tan_alpha_right)  # Eq. 4.13
     V2_fade_right = ca.sqrt(v_rest**4 + (V_x_right**2 + V_y_right**2)**2)  # near rest
     V_fade_right = ca.sqrt(V2_fade_right)  # near rest
-    C_c_right = B3 + C3*Fz_right  # Eq. 3.3
-    mu_right = surface_right*(B5 + C5*Fz_right)  # Eq. 3.5
+    C_c_right = ca.fmax(0, B3 + C3*Fz_right)  # Eq. 3.3, never below 0
+    mu_right = surface_right*ca.fmax(1/1000, B5 + C5*Fz_right)  # Eq. 3.5, never below a thousandth
     alpha_free_right = C_c_right*tan_alpha_right/mu_right  # Eq. 3.6
     alpha_bar_right = ca.fmax(-w43, ca.fmin(alpha_free_right, w43))  # held at the peak
     psi_bar_right = alpha_bar_right*(1 - E1) + E1*ca.atan(B1*alpha_bar_right)/B1  # Eq. 3.10
@@ -502,8 +503,8 @@ def outputs() -> ca.Function:
     alpha_third = ca.atan(tan_alpha_third)  # Eq. 4.13
     V2_fade_third = ca.sqrt(v_rest**4 + (V_x_third**2 + V_y_third**2)**2)  # near rest
     V_fade_third = ca.sqrt(V2_fade_third)  # near rest
-    C_c_third = B3_third + C3_third*Fz_third  # Eq. 3.3
-    mu_third = surface_third*(B5_third + C5_third*Fz_third)  # Eq. 3.5
+    C_c_third = ca.fmax(0, B3_third + C3_third*Fz_third)  # Eq. 3.3, never below 0
+    mu_third = surface_third*ca.fmax(1/1000, B5_third + C5_third*Fz_third)  # Eq. 3.5, never below a thousandth
     alpha_free_third = C_c_third*tan_alpha_third/mu_third  # Eq. 3.6
     w108 = 1/(B1_third*ca.sqrt(ca.fmax(1/1000000000000, E1_third - 1)))
     alpha_bar_third = ca.fmax(-w108, ca.fmin(alpha_free_third, w108))  # held at the peak
@@ -2716,9 +2717,9 @@ def places() -> ca.Function:
 
     Thesis
     ------
-    Eq. 4.10 at the foot, Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 3.3, Eq. 3.5,
-    Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq. 3.7, Eq. 3.11, Eq. 4.10 through the air, Eq.
-    4.19, Eq. 4.29
+    Eq. 4.10 at the foot, Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 3.3, never
+    below 0, Eq. 3.5, never below a thousandth, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq.
+    3.7, Eq. 3.11, Eq. 4.10 through the air, Eq. 4.19, Eq. 4.29
     """
     x_ = ca.SX.sym("x", 14)
     u, v, w, p, q, r, chi_third, chi_rate_third, X, Y, Z, phi, theta, psi = ca.vertsplit(x_)
@@ -2764,8 +2765,8 @@ def places() -> ca.Function:
     tan_alpha_left = V_y_left/ca.sqrt(w35)  # Eq. 4.13, at any speed
     V2_fade_left = ca.sqrt(v_rest**4 + (V_x_left**2 + V_y_left**2)**2)  # near rest
     V_fade_left = ca.sqrt(V2_fade_left)  # near rest
-    C_c_left = B3 + C3*Fz_left  # Eq. 3.3
-    mu_left = surface_left*(B5 + C5*Fz_left)  # Eq. 3.5
+    C_c_left = ca.fmax(0, B3 + C3*Fz_left)  # Eq. 3.3, never below 0
+    mu_left = surface_left*ca.fmax(1/1000, B5 + C5*Fz_left)  # Eq. 3.5, never below a thousandth
     alpha_free_left = C_c_left*tan_alpha_left/mu_left  # Eq. 3.6
     w41 = 1/(B1*ca.sqrt(ca.fmax(1/1000000000000, E1 - 1)))
     alpha_bar_left = ca.fmax(-w41, ca.fmin(alpha_free_left, w41))  # held at the peak
@@ -2807,8 +2808,8 @@ def places() -> ca.Function:
     tan_alpha_right = V_y_right/ca.sqrt(w67)  # Eq. 4.13, at any speed
     V2_fade_right = ca.sqrt(v_rest**4 + (V_x_right**2 + V_y_right**2)**2)  # near rest
     V_fade_right = ca.sqrt(V2_fade_right)  # near rest
-    C_c_right = B3 + C3*Fz_right  # Eq. 3.3
-    mu_right = surface_right*(B5 + C5*Fz_right)  # Eq. 3.5
+    C_c_right = ca.fmax(0, B3 + C3*Fz_right)  # Eq. 3.3, never below 0
+    mu_right = surface_right*ca.fmax(1/1000, B5 + C5*Fz_right)  # Eq. 3.5, never below a thousandth
     alpha_free_right = C_c_right*tan_alpha_right/mu_right  # Eq. 3.6
     alpha_bar_right = ca.fmax(-w41, ca.fmin(alpha_free_right, w41))  # held at the peak
     psi_bar_right = alpha_bar_right*(1 - E1) + E1*ca.atan(B1*alpha_bar_right)/B1  # Eq. 3.10
@@ -2852,8 +2853,8 @@ def places() -> ca.Function:
     tan_alpha_third = V_y_third/ca.sqrt(w94)  # Eq. 4.13, at any speed
     V2_fade_third = ca.sqrt(v_rest**4 + (V_x_third**2 + V_y_third**2)**2)  # near rest
     V_fade_third = ca.sqrt(V2_fade_third)  # near rest
-    C_c_third = B3_third + C3_third*Fz_third  # Eq. 3.3
-    mu_third = surface_third*(B5_third + C5_third*Fz_third)  # Eq. 3.5
+    C_c_third = ca.fmax(0, B3_third + C3_third*Fz_third)  # Eq. 3.3, never below 0
+    mu_third = surface_third*ca.fmax(1/1000, B5_third + C5_third*Fz_third)  # Eq. 3.5, never below a thousandth
     alpha_free_third = C_c_third*tan_alpha_third/mu_third  # Eq. 3.6
     w99 = 1/(B1_third*ca.sqrt(ca.fmax(1/1000000000000, E1_third - 1)))
     alpha_bar_third = ca.fmax(-w99, ca.fmin(alpha_free_third, w99))  # held at the peak

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest e7fc46534233abb6) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 64e19826779c900d) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """A level body with a free speed on three wheels: loads from weight, lift and elevator only."""
 
 from functools import cache
@@ -41,9 +41,9 @@ def rhs() -> ca.Function:
 
     Thesis
     ------
-    Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 4.10 through the air, Eq. 3.3, Eq.
-    3.5, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq. 3.7, Eq. 3.11, Eq. 4.19, Eq. 4.29, Eq.
-    4.8, Eq. 4.9
+    Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 4.10 through the air, Eq. 3.3,
+    never below 0, Eq. 3.5, never below a thousandth, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8,
+    Eq. 3.7, Eq. 3.11, Eq. 4.19, Eq. 4.29, Eq. 4.8, Eq. 4.9
     """
     x_ = ca.SX.sym("x", 6)
     u, v, r, X, Y, psi = ca.vertsplit(x_)
@@ -101,8 +101,8 @@ def rhs() -> ca.Function:
     w47 = F_L_tailplane*(x_h*ca.cos(theta_ground) + z_h*ca.sin(theta_ground)) + M_air + thrust*z_thrust*ca.cos(theta_ground)
     w48 = ca.fmax(0, (1/2)*(-w46*(w40 + w41) - w47)/w42)
     Fz_left = w48  # balance of weight and lift
-    C_c_left = B3 + C3*Fz_left  # Eq. 3.3
-    mu_left = surface_left*(B5 + C5*Fz_left)  # Eq. 3.5
+    C_c_left = ca.fmax(0, B3 + C3*Fz_left)  # Eq. 3.3, never below 0
+    mu_left = surface_left*ca.fmax(1/1000, B5 + C5*Fz_left)  # Eq. 3.5, never below a thousandth
     alpha_free_left = C_c_left*tan_alpha_left/mu_left  # Eq. 3.6
     w52 = 1/(B1*ca.sqrt(ca.fmax(1/1000000000000, E1 - 1)))
     alpha_bar_left = ca.fmax(-w52, ca.fmin(alpha_free_left, w52))  # held at the peak
@@ -131,8 +131,8 @@ def rhs() -> ca.Function:
     V2_fade_right = ca.sqrt(v_rest**4 + (V_x_right**2 + V_y_right**2)**2)  # near rest
     V_fade_right = ca.sqrt(V2_fade_right)  # near rest
     Fz_right = w48  # balance of weight and lift
-    C_c_right = B3 + C3*Fz_right  # Eq. 3.3
-    mu_right = surface_right*(B5 + C5*Fz_right)  # Eq. 3.5
+    C_c_right = ca.fmax(0, B3 + C3*Fz_right)  # Eq. 3.3, never below 0
+    mu_right = surface_right*ca.fmax(1/1000, B5 + C5*Fz_right)  # Eq. 3.5, never below a thousandth
     alpha_free_right = C_c_right*tan_alpha_right/mu_right  # Eq. 3.6
     alpha_bar_right = ca.fmax(-w52, ca.fmin(alpha_free_right, w52))  # held at the peak
     psi_bar_right = alpha_bar_right*(1 - E1) + E1*ca.atan(B1*alpha_bar_right)/B1  # Eq. 3.10
@@ -163,8 +163,8 @@ def rhs() -> ca.Function:
     V2_fade_third = ca.sqrt(v_rest**4 + (V_x_third**2 + V_y_third**2)**2)  # near rest
     V_fade_third = ca.sqrt(V2_fade_third)  # near rest
     Fz_third = ca.fmax(0, -(-w46*w8 - w47)/w42)  # balance of weight and lift
-    C_c_third = B3_third + C3_third*Fz_third  # Eq. 3.3
-    mu_third = surface_third*(B5_third + C5_third*Fz_third)  # Eq. 3.5
+    C_c_third = ca.fmax(0, B3_third + C3_third*Fz_third)  # Eq. 3.3, never below 0
+    mu_third = surface_third*ca.fmax(1/1000, B5_third + C5_third*Fz_third)  # Eq. 3.5, never below a thousandth
     alpha_free_third = C_c_third*tan_alpha_third/mu_third  # Eq. 3.6
     w99 = 1/(B1_third*ca.sqrt(ca.fmax(1/1000000000000, E1_third - 1)))
     alpha_bar_third = ca.fmax(-w99, ca.fmin(alpha_free_third, w99))  # held at the peak
@@ -261,8 +261,8 @@ def outputs() -> ca.Function:
     Thesis
     ------
     Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 4.13, Eq. 4.10 through the air, Eq.
-    3.3, Eq. 3.5, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq. 3.7, Eq. 3.11, Eq. 4.19, Eq.
-    4.29, Eq. 4.3, Eq. 4.8, Eq. 4.9, Eq. 4.7
+    3.3, never below 0, Eq. 3.5, never below a thousandth, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq.
+    3.8, Eq. 3.7, Eq. 3.11, Eq. 4.19, Eq. 4.29, Eq. 4.3, Eq. 4.8, Eq. 4.9, Eq. 4.7
     """
     x_ = ca.SX.sym("x", 6)
     u, v, r, X, Y, psi = ca.vertsplit(x_)
@@ -324,8 +324,8 @@ def outputs() -> ca.Function:
     w50 = F_L_tailplane*(w47 + w48) + w49
     w51 = ca.fmax(0, (1/2)*(-w46*(w40 + w41) - w50)/w42)
     Fz_left = w51  # balance of weight and lift
-    C_c_left = B3 + C3*Fz_left  # Eq. 3.3
-    mu_left = surface_left*(B5 + C5*Fz_left)  # Eq. 3.5
+    C_c_left = ca.fmax(0, B3 + C3*Fz_left)  # Eq. 3.3, never below 0
+    mu_left = surface_left*ca.fmax(1/1000, B5 + C5*Fz_left)  # Eq. 3.5, never below a thousandth
     alpha_free_left = C_c_left*tan_alpha_left/mu_left  # Eq. 3.6
     w55 = 1/(B1*ca.sqrt(ca.fmax(1/1000000000000, E1 - 1)))
     alpha_bar_left = ca.fmax(-w55, ca.fmin(alpha_free_left, w55))  # held at the peak
@@ -355,8 +355,8 @@ def outputs() -> ca.Function:
     V2_fade_right = ca.sqrt(v_rest**4 + (V_x_right**2 + V_y_right**2)**2)  # near rest
     V_fade_right = ca.sqrt(V2_fade_right)  # near rest
     Fz_right = w51  # balance of weight and lift
-    C_c_right = B3 + C3*Fz_right  # Eq. 3.3
-    mu_right = surface_right*(B5 + C5*Fz_right)  # Eq. 3.5
+    C_c_right = ca.fmax(0, B3 + C3*Fz_right)  # Eq. 3.3, never below 0
+    mu_right = surface_right*ca.fmax(1/1000, B5 + C5*Fz_right)  # Eq. 3.5, never below a thousandth
     alpha_free_right = C_c_right*tan_alpha_right/mu_right  # Eq. 3.6
     alpha_bar_right = ca.fmax(-w55, ca.fmin(alpha_free_right, w55))  # held at the peak
     psi_bar_right = alpha_bar_right*(1 - E1) + E1*ca.atan(B1*alpha_bar_right)/B1  # Eq. 3.10
@@ -388,8 +388,8 @@ def outputs() -> ca.Function:
     V2_fade_third = ca.sqrt(v_rest**4 + (V_x_third**2 + V_y_third**2)**2)  # near rest
     V_fade_third = ca.sqrt(V2_fade_third)  # near rest
     Fz_third = ca.fmax(0, -(-w46*w8 - w50)/w42)  # balance of weight and lift
-    C_c_third = B3_third + C3_third*Fz_third  # Eq. 3.3
-    mu_third = surface_third*(B5_third + C5_third*Fz_third)  # Eq. 3.5
+    C_c_third = ca.fmax(0, B3_third + C3_third*Fz_third)  # Eq. 3.3, never below 0
+    mu_third = surface_third*ca.fmax(1/1000, B5_third + C5_third*Fz_third)  # Eq. 3.5, never below a thousandth
     alpha_free_third = C_c_third*tan_alpha_third/mu_third  # Eq. 3.6
     w102 = 1/(B1_third*ca.sqrt(ca.fmax(1/1000000000000, E1_third - 1)))
     alpha_bar_third = ca.fmax(-w102, ca.fmin(alpha_free_third, w102))  # held at the peak
@@ -2554,8 +2554,9 @@ def places() -> ca.Function:
 
     Thesis
     ------
-    Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 4.10 through the air, Eq. 3.3, Eq.
-    3.5, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8, Eq. 3.7, Eq. 3.11, Eq. 4.19, Eq. 4.29
+    Eq. 4.10 at the contact, Eq. 4.13, at any speed, Eq. 4.10 through the air, Eq. 3.3,
+    never below 0, Eq. 3.5, never below a thousandth, Eq. 3.6, Eq. 3.10, Eq. 3.9, Eq. 3.8,
+    Eq. 3.7, Eq. 3.11, Eq. 4.19, Eq. 4.29
     """
     x_ = ca.SX.sym("x", 6)
     u, v, r, X, Y, psi = ca.vertsplit(x_)
@@ -2613,8 +2614,8 @@ def places() -> ca.Function:
     w45 = F_L_tailplane*(x_h*ca.cos(theta_ground) + z_h*ca.sin(theta_ground)) + M_air + thrust*z_thrust*ca.cos(theta_ground)
     w46 = ca.fmax(0, (1/2)*(-w44*(w39 + w40) - w45)/w41)
     Fz_left = w46  # balance of weight and lift
-    C_c_left = B3 + C3*Fz_left  # Eq. 3.3
-    mu_left = surface_left*(B5 + C5*Fz_left)  # Eq. 3.5
+    C_c_left = ca.fmax(0, B3 + C3*Fz_left)  # Eq. 3.3, never below 0
+    mu_left = surface_left*ca.fmax(1/1000, B5 + C5*Fz_left)  # Eq. 3.5, never below a thousandth
     alpha_free_left = C_c_left*tan_alpha_left/mu_left  # Eq. 3.6
     w50 = 1/(B1*ca.sqrt(ca.fmax(1/1000000000000, E1 - 1)))
     alpha_bar_left = ca.fmax(-w50, ca.fmin(alpha_free_left, w50))  # held at the peak
@@ -2643,8 +2644,8 @@ def places() -> ca.Function:
     V2_fade_right = ca.sqrt(v_rest**4 + (V_x_right**2 + V_y_right**2)**2)  # near rest
     V_fade_right = ca.sqrt(V2_fade_right)  # near rest
     Fz_right = w46  # balance of weight and lift
-    C_c_right = B3 + C3*Fz_right  # Eq. 3.3
-    mu_right = surface_right*(B5 + C5*Fz_right)  # Eq. 3.5
+    C_c_right = ca.fmax(0, B3 + C3*Fz_right)  # Eq. 3.3, never below 0
+    mu_right = surface_right*ca.fmax(1/1000, B5 + C5*Fz_right)  # Eq. 3.5, never below a thousandth
     alpha_free_right = C_c_right*tan_alpha_right/mu_right  # Eq. 3.6
     alpha_bar_right = ca.fmax(-w50, ca.fmin(alpha_free_right, w50))  # held at the peak
     psi_bar_right = alpha_bar_right*(1 - E1) + E1*ca.atan(B1*alpha_bar_right)/B1  # Eq. 3.10
@@ -2675,8 +2676,8 @@ def places() -> ca.Function:
     V2_fade_third = ca.sqrt(v_rest**4 + (V_x_third**2 + V_y_third**2)**2)  # near rest
     V_fade_third = ca.sqrt(V2_fade_third)  # near rest
     Fz_third = ca.fmax(0, -(-w44*w7 - w45)/w41)  # balance of weight and lift
-    C_c_third = B3_third + C3_third*Fz_third  # Eq. 3.3
-    mu_third = surface_third*(B5_third + C5_third*Fz_third)  # Eq. 3.5
+    C_c_third = ca.fmax(0, B3_third + C3_third*Fz_third)  # Eq. 3.3, never below 0
+    mu_third = surface_third*ca.fmax(1/1000, B5_third + C5_third*Fz_third)  # Eq. 3.5, never below a thousandth
     alpha_free_third = C_c_third*tan_alpha_third/mu_third  # Eq. 3.6
     w97 = 1/(B1_third*ca.sqrt(ca.fmax(1/1000000000000, E1_third - 1)))
     alpha_bar_third = ca.fmax(-w97, ca.fmin(alpha_free_third, w97))  # held at the peak
