@@ -327,6 +327,9 @@ def _put_together(
         for place, values in about["inputs"].items()
     }
     sources = {s: Source(**source) for s, source in about["sources"].items()}
+    texts = [*about["aircraft"].values(), *(x for s in sources.values() for x in (s.text, s.entry))]
+    if not all(isinstance(text, str) for text in texts):
+        raise TypeError("no text where one belongs")
     results = {s: Column(_names(dims), arrays[s]) for s, dims in about["results"].items()}
     sizes = {size for column in results.values() for size in column.sizes.items()}
     if len(sizes) > len(dict(sizes)):

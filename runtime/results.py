@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import importlib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Self
+
+import numpy as np
 
 from . import records
 from .errors import GroundrollError, one_of
@@ -115,8 +118,20 @@ def restored(record: records.Record) -> Result:
     module, name = KINDS[one_of("kind of result", record.kind, KINDS)]
     kind: type[Result] = getattr(importlib.import_module(f".{module}", __package__), name)
     try:
-        result = kind._of(record)
+        with np.errstate(invalid="raise"):
+            result = kind._of(record)
         repr(result)  # whatever is missing is missed here
-    except (LookupError, TypeError, ValueError, AttributeError) as problem:
+        _compare(result._record().results, record.results)
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as problem:
         raise GroundrollError(f"the record holds no whole {name}") from problem
     return result
+
+
+def _compare(found: Mapping[str, records.Column], given: Mapping[str, records.Column]) -> None:
+    """Raise `ValueError` unless a result consists of just what it was put together from."""
+    for name in found.keys() | given.keys():
+        mine, other = found[name], given[name]
+        has_nan = mine.values.dtype.kind in "fc"
+        same = np.array_equal(mine.values, other.values, equal_nan=has_nan)
+        if mine.dims != other.dims or not same:
+            raise ValueError(f"{name} is not what it may be")
