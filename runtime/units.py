@@ -113,6 +113,18 @@ def from_si(value: float, unit: str, wanted: str) -> float:
     return value / _factor(wanted, unit)
 
 
+def kind(unit: str) -> str:
+    """What a quantity in an SI unit is, in words; nothing if there is no word for it."""
+    return _KINDS.get(unit, "")
+
+
+def exponents(unit: str) -> dict[str, int]:
+    """Powers of kg, m, s and rad in an SI unit, those that are not zero."""
+    names = {"gram": "kg", "meter": "m", "second": "s", "radian": "rad"}
+    items = _registry().Quantity(1.0, _own(unit)[1]).unit_items()
+    return {names[name]: int(power) for name, power in items}
+
+
 def expected(unit: str) -> str:
     """What to write for a quantity, e.g. ``"a speed, such as '1.5 m/s'"``."""
     if unit == "1":

@@ -32,7 +32,8 @@ def _target(context: click.Context, parameter: click.Parameter, value: str) -> s
     required=True,
     callback=_target,
     metavar="TARGET",
-    help="c: a folder of plain C, with an integrator, an example and a Makefile.",
+    help="c: a folder of plain C, with an integrator, an example and a Makefile. fmu: a component"
+    " of the Functional Mock-up Interface 3.0, in one file; fmu2: of version 2.0.",
 )
 @options.model()
 @click.option("--out", required=True, type=click.Path(path_type=Path), help="Where to write it.")

@@ -41,10 +41,10 @@ def rendered(template: str, facts: Mapping[str, Any]) -> str:
     return _environment().get_template(f"{template}.j2").render(facts)
 
 
-def c_facts(subject: Subject) -> dict[str, Any]:
-    """What the templates tell of a subject."""
+def c_facts(subject: Subject, name: str = "") -> dict[str, Any]:
+    """What the templates tell of a subject; `name` is before its functions, by default its own."""
     model = subject.model
-    name = f"{model.name}_model" if model.name in _TAKEN else model.name
+    name = name or (f"{model.name}_model" if model.name in _TAKEN else model.name)
     numbers = (("x", subject.start), ("u", subject.inputs), ("p", subject.parameters))
     return {
         "name": name,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +13,7 @@ from groundroll.files import complete_folder
 from groundroll.models import ModelLike
 
 from .c_code import c_files
+from .fmu import write_fmu
 from .subject import Subject, subject
 
 
@@ -25,9 +28,11 @@ def export(
         One aircraft: none of its parameters may be an array.
     to : str
         ``"c"``: a folder of plain C that needs nothing but the mathematical library: the
-        equations, an integrator, the parameters, an example and a Makefile.
+        equations, an integrator, the parameters, an example and a Makefile. ``"fmu"``: a component
+        of the Functional Mock-up Interface 3.0 for model exchange and for co-simulation, compiled
+        for this machine, with its source; ``"fmu2"``: of version 2.0.
     out : str or Path
-        Where to: a folder, which may exist.
+        Where to: a folder, which may exist, or a file.
     model : str or Model
     **values : float or str
         By symbol or full name, as for `groundroll.simulate`: inputs, parameters that differ from
@@ -59,4 +64,8 @@ def _c(case: Subject, path: Path) -> None:
 
 
 #: What can be exported to, and how it is written.
-TARGETS = {"c": _c}
+TARGETS: Mapping[str, Callable[[Subject, Path], None]] = {
+    "c": _c,
+    "fmu": partial(write_fmu, fmi="3.0"),
+    "fmu2": partial(write_fmu, fmi="2.0"),
+}
