@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from contextlib import redirect_stderr
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -15,19 +15,18 @@ import numpy as np
 from . import generated
 from .arrays import FloatArray, broadcast
 from .generated import kernels
-from .memory import check_memory
-
-if TYPE_CHECKING:
-    from .operating_point import Points
+from .memory import check_memory, room
 
 #: Points per call of a generated function: few enough to stay in the cache.
 _BLOCK = 256
 #: Points from which a kernel pays, which may have to be compiled first.
-_MANY = 20_000
+_MANY = 2_000
 
 
 def elementwise(
-    name: str | ca.Function, arguments: Mapping[str, FloatArray]
+    name: str | ca.Function,
+    arguments: Mapping[str, FloatArray],
+    out: dict[str, FloatArray] | None = None,
 ) -> dict[str, FloatArray]:
     """Apply a generated function of named scalars element by element.
 
@@ -37,6 +36,8 @@ def elementwise(
         The function, or its name, e.g. ``"modes"``.
     arguments : mapping
         Arrays by argument name, broadcast against each other; others are ignored.
+    out : dict, optional
+        Where each result goes; new arrays if omitted.
 
     Returns
     -------
@@ -48,10 +49,14 @@ def elementwise(
     numbers = math.prod(shape) * (function.n_in() + function.n_out())
     check_memory(8 * numbers, f"arguments and results of {function.name()}")
     if isinstance(name, str) and math.prod(shape) >= _MANY and _can_sweep(name):
-        found = {key: np.empty(shape) for key in function.name_out()}
+        names = function.name_out()
+        found = out or dict(zip(names, room(*[shape] * len(names)), strict=True))
         sweep_into(name, arguments, shape, found)
         return found
-    return _one_by_one(function, arrays, shape)
+    found = _one_by_one(function, arrays, shape)
+    for key, values in (out or {}).items():
+        values[...] = found[key]
+    return found
 
 
 def sweep_into(
@@ -178,33 +183,3 @@ def solved(solver: ca.Function, **arguments: Any) -> dict[str, Any]:
     if "KeyboardInterrupt" in said.getvalue():
         raise KeyboardInterrupt
     return result
-
-
-#: Points from which the kernels pay, which may have to be compiled first.
-_SOME = 64
-
-
-def linear_at(points: Points, threads: int = 1) -> list[FloatArray]:
-    """The linear model at operating points: A, B, C, D, drift and outputs.
-
-    Parameters
-    ----------
-    points : Points
-    threads : int
-        Does not change a bit of the result.
-
-    Returns
-    -------
-    list of ndarray, each of shape (*shape, rows, columns)
-    """
-    model, shape = points.model, points.shape
-    n, m, y = len(model.dynamic), len(model.inputs), len(model.outputs)
-    sizes = ((n, n), (n, m), (y, n), (y, m), (n, 1), (y, 1))
-    name = f"{model.name}_linearized"
-    if points.count >= _SOME and kernels.can_evaluate(model, name):
-        check_memory(8 * points.count * sum(a * b for a, b in sizes), "the linear models")
-        found = [np.empty((points.count, *size)) for size in sizes]
-        kernels.evaluate(model, name, points.count, points.columns, found, threads)
-    else:
-        found = columns(model.expression("linearized"), *points.vectors)
-    return [each.reshape(*shape, *size) for each, size in zip(found, sizes, strict=True)]

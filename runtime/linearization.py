@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,11 +12,10 @@ import numpy as np
 from .aircraft import Aircraft
 from .arrays import FloatArray
 from .errors import GroundrollError, beyond
-from .evaluate import linear_at
 from .listing import Listed, span, unit_of
 from .models import ModelLike, as_model
-from .modes import ComplexArray, modes_of
-from .operating_point import OperatingPoint, points_at
+from .modes import READ_OFF, ComplexArray, Modes, modes_of
+from .operating_point import OperatingPoint, operating_point, points_at
 from .records import Column, Record, measured, run_dims
 from .results import Result
 from .stability import quantity_of
@@ -27,8 +27,7 @@ if TYPE_CHECKING:
 
     from .sensitivities import Sensitivities
 
-#: Of what is read from the eigenvalues one number for each point, and of the rest the axes.
-READ_OFF = ("decay_rate", "damping_ratio", "natural_frequency", "damped_frequency")
+#: Axes of the arrays.
 _AXES = {
     "A": ("state_rate", "state"),
     "B": ("state_rate", "input"),
@@ -66,14 +65,7 @@ class Linearization(Listed, Result):
 
     A: FloatArray
     B: FloatArray
-    C: FloatArray
-    D: FloatArray
     drift: FloatArray
-    eigenvalues: ComplexArray
-    decay_rate: FloatArray
-    damping_ratio: FloatArray
-    natural_frequency: FloatArray
-    damped_frequency: FloatArray
     at: OperatingPoint
     aircraft: Aircraft
     model: ModelLike
@@ -81,9 +73,52 @@ class Linearization(Listed, Result):
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
 
+    @cached_property
+    def _seen(self) -> dict[str, FloatArray]:
+        """C and D, when they are asked for: they take longer than the rest."""
+        points = points_at(self.aircraft, as_model(self.model), self.at, {}, "linearize")
+        return points.evaluate("gx", "gu")
+
+    @property
+    def C(self) -> FloatArray:  # what attributes are is said above
+        return self._seen["gx"]
+
+    @property
+    def D(self) -> FloatArray:
+        return self._seen["gu"]
+
+    @cached_property
+    def _modes(self) -> Modes:
+        return modes_of(self.A)
+
+    @property
+    def eigenvalues(self) -> ComplexArray:
+        return self._modes.eigenvalues
+
+    @property
+    def decay_rate(self) -> FloatArray:
+        return self._modes.decay_rate
+
+    @property
+    def damping_ratio(self) -> FloatArray:
+        return self._modes.damping_ratio
+
+    @property
+    def natural_frequency(self) -> FloatArray:
+        return self._modes.natural_frequency
+
+    @property
+    def damped_frequency(self) -> FloatArray:
+        return self._modes.damped_frequency
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the points."""
+        return self.drift.shape[:-1]
+
     def __getitem__(self, index: Any) -> Linearization:
         """The points at an index, or at a tuple of indices, of a linearization with arrays."""
-        shape = self.decay_rate.shape
+        shape = self.shape
 
         def pick(value: Any) -> FloatArray:
             return np.asarray(np.broadcast_to(value, shape)[index])
@@ -112,10 +147,10 @@ class Linearization(Listed, Result):
         GroundrollError
             If this is more than one point, or the package is not installed.
         """
-        if self.decay_rate.ndim:
-            first = ", ".join("0" * self.decay_rate.ndim)
+        if self.shape:
+            first = ", ".join("0" * len(self.shape))
             raise GroundrollError(
-                f"a StateSpace holds one point, not {self.decay_rate.shape}: choose one, as in"
+                f"a StateSpace holds one point, not {self.shape}: choose one, as in"
                 f" lin[{first}].to_control()"
             )
         try:
@@ -159,11 +194,15 @@ class Linearization(Listed, Result):
             q[s].name if s in record.model.inputs else s: x if x.ndim else float(x)
             for s, x in record.given.items()
         }
-        parts: dict[str, Any] = {name: record[name] for name in (*_AXES, *READ_OFF)}
+        parts: dict[str, Any] = {name: record[name] for name in ("A", "B", "drift")}
         for axis in ("state", "input", "output"):
             parts[f"{axis}s"] = tuple(record[axis].tolist())
         model = record.model.key
-        return cls(**parts, at=OperatingPoint(**at), aircraft=record.aircraft, model=model)
+        found = cls(**parts, at=OperatingPoint(**at), aircraft=record.aircraft, model=model)
+        # what is kept is not computed again, by another version perhaps
+        vars(found)["_seen"] = {"gx": record["C"], "gu": record["D"]}
+        vars(found)["_modes"] = Modes(record["eigenvalues"], *(record[name] for name in READ_OFF))
+        return found
 
     def _title(self) -> str:
         whose = f"{self.aircraft.name!r}, {as_model(self.model).name} model"
@@ -216,22 +255,14 @@ def linearize(
     """
     chosen = as_model(model)
     points = points_at(plane, chosen, at, values, "linearize")
-    A, B, C, D, drift, _ = linear_at(points)
-    if not np.isfinite(A).all():
+    found = points.evaluate("f", "fx", "fu")
+    if not np.isfinite(found["fx"]).all():
         raise beyond(f"the linear model of {plane.name} by the model {chosen.name}")
-    modes = modes_of(A)
     return Linearization(
-        A=A,
-        B=B,
-        C=C,
-        D=D,
-        drift=drift[..., 0],
-        eigenvalues=modes.eigenvalues,
-        decay_rate=modes.decay_rate,
-        damping_ratio=modes.damping_ratio,
-        natural_frequency=modes.natural_frequency,
-        damped_frequency=modes.damped_frequency,
-        at=points.at,
+        A=found["fx"],
+        B=found["fu"],
+        drift=found["f"],
+        at=operating_point(points),
         aircraft=points.aircraft,
         model=chosen.key,
         states=chosen.dynamic,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,8 +10,14 @@ import numpy.typing as npt
 
 from .arrays import FloatArray
 from .evaluate import elementwise
+from .memory import room
 
 ComplexArray = npt.NDArray[np.complex128]
+
+#: What is read from the eigenvalues, one number for each matrix.
+READ_OFF = ("decay_rate", "damping_ratio", "natural_frequency", "damped_frequency")
+#: How the generated function calls the entries of a 2 x 2 matrix, and the parts of eigenvalues.
+_ENTRIES, _PARTS = ("A_vv", "A_vr", "A_rv", "A_rr"), ("re_1", "im_1", "re_2", "im_2")
 
 
 @dataclass(frozen=True)
@@ -39,16 +46,15 @@ def modes_of(A: FloatArray) -> Modes:
 
 def _of_two(A: FloatArray) -> Modes:
     """By the closed form that is generated."""
-    entries = {f"A_{i}{j}": A[..., k, n] for k, i in enumerate("vr") for n, j in enumerate("vr")}
-    found = elementwise("modes", entries)
-    eigenvalues = np.stack([found[f"re_{k}"] + 1j * found[f"im_{k}"] for k in (1, 2)], -1)
-    return Modes(
-        eigenvalues,
-        found["decay_rate"],
-        found["damping_ratio"],
-        found["natural_frequency"],
-        found["damped_frequency"],
-    )
+    shape, count = A.shape[:-2], math.prod(A.shape[:-2])
+    entries, numbers, parts = room((4, count), (8, count), (count, 4))
+    entries[...] = A.reshape(-1, 4).T
+    found = dict(zip((*_PARTS, *READ_OFF), numbers, strict=True))
+    elementwise("modes", dict(zip(_ENTRIES, entries, strict=True)), found)
+    for k, name in enumerate(_PARTS):
+        parts[:, k] = found[name]
+    eigenvalues = parts.view(np.complex128).reshape(*shape, 2)
+    return Modes(eigenvalues, *(found[name].reshape(shape) for name in READ_OFF))
 
 
 def _of_any(A: FloatArray) -> Modes:

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from .aircraft import Aircraft
-from .arrays import FloatArray, broadcast
+from .arrays import FloatArray, common_shape
 from .errors import GroundrollError
 from .models import Model
 from .names import PARAMETERS
 from .parameters import parameters_of
+from .points import Points
 from .values import Given, given
 
 
@@ -62,60 +61,13 @@ def _said(value: Any) -> str:
     return f"{float(array)!r}" if array.ndim == 0 else f"array {array.shape}"
 
 
-@dataclass(frozen=True)
-class Points:
-    """One or many operating points of a model, ready to be evaluated.
-
-    Attributes
-    ----------
-    model : Model
-    aircraft : Aircraft
-    values : mapping of str to ndarray
-        Every state, input and parameter by symbol, in the order of the model; each a number or an
-        array of the shape of the points.
-    shape : tuple of int
-    """
-
-    model: Model
-    aircraft: Aircraft
-    values: Mapping[str, FloatArray]
-    shape: tuple[int, ...]
-
-    @property
-    def count(self) -> int:
-        """How many there are."""
-        return math.prod(self.shape)
-
-    @property
-    def columns(self) -> list[FloatArray]:
-        """The values one after the other: a column of all points, or one number."""
-        return [
-            np.ascontiguousarray(np.broadcast_to(each, self.shape)).ravel()
-            if each.ndim
-            else each.reshape(1)
-            for each in self.values.values()
-        ]
-
-    @property
-    def vectors(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """States, inputs and parameters with one column for each point."""
-        arrays = [np.broadcast_to(each, self.count) for each in self.columns]
-        n, m = len(self.model.states), len(self.model.inputs)
-        empty = np.empty((0, self.count))
-        return (
-            np.stack(arrays[:n]),
-            np.stack(arrays[n : n + m]) if m else empty,
-            np.stack(arrays[n + m :]) if self.model.parameters else empty,
-        )
-
-    @property
-    def at(self) -> OperatingPoint:
-        """Dynamic states by symbol and inputs by full name, SI units with radians."""
-        q = self.model.quantities
-        named = {s: self.values[s] for s in self.model.dynamic}
-        named |= {s: self.values[s] for s in self.model.states if np.any(self.values[s])}
-        named |= {q[s].name: self.values[s] for s in self.model.inputs}
-        return OperatingPoint(**{s: x if x.ndim else float(x) for s, x in named.items()})
+def operating_point(points: Points) -> OperatingPoint:
+    """Dynamic states by symbol and inputs by full name, SI units with radians."""
+    q, model = points.model.quantities, points.model
+    named = {s: points.values[s] for s in model.dynamic}
+    named |= {s: points.values[s] for s in model.states if np.any(points.values[s])}
+    named |= {q[s].name: points.values[s] for s in model.inputs}
+    return OperatingPoint(**{s: x if x.ndim else float(x) for s, x in named.items()})
 
 
 def points_at(
@@ -156,7 +108,7 @@ def points_of(model: Model, found: Given) -> Points:
         values[s] = found.states[s] if s in found.states else _own(found.aircraft, s)
     for s in model.inputs:
         values[s] = found.inputs.get(s, zero)
-    _, shape = broadcast({**values, **known})
+    shape = common_shape({**values, **known})
     if 0 in shape:
         raise GroundrollError(f"nothing is given: the arrays broadcast to {shape}")
     # a state may share its symbol with a parameter of another model, never of its own

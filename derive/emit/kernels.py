@@ -65,8 +65,8 @@ def _distinct(model: Derivation, states: list[int]) -> list[int]:
 
 
 def points_text(module: ModuleType) -> str:
-    """Kernels of a model's functions at many points."""
-    return points_kernel([module.rhs(), module.outputs(), module.linearized()])
+    """The kernel of a model and its Jacobians at many points."""
+    return points_kernel(module.rhs(), module.outputs())
 
 
 def sweep_of(pack: Pack, modules: Mapping[str, ModuleType]) -> SweepKernels | None:

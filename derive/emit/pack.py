@@ -9,8 +9,6 @@ from types import ModuleType
 import casadi as ca
 import sympy as sp
 
-from groundroll.derive.core.model import Derivation
-
 from .c_source import c_source
 from .catalogue import Pack
 from .equation_sheet import equation_sheet
@@ -70,7 +68,6 @@ def _blocks(pack: Pack, module: Module, is_model: bool) -> Iterator[str]:
     if not module.is_readable:
         yield _jacobians_source(pack.name)
     yield places_source(pack.model)
-    yield _linearized_source(pack.model)
     for method in integrators.METHODS:
         yield _integrator_source(pack.name, method)
 
@@ -80,16 +77,6 @@ def _jacobians_source(model: str) -> str:
         "@cache\ndef jacobians() -> ca.Function:\n"
         '    """Jacobians of states and outputs by x, u and p: see `integrators.jacobians`."""\n'
         f'    return integrators.jacobians(rhs(), outputs(), "{model}_jacobians")\n'
-    )
-
-
-def _linearized_source(model: Derivation) -> str:
-    dynamic = [model.states.index(s) for s in model.dynamic]
-    return (
-        "@cache\ndef linearized() -> ca.Function:\n"
-        '    """The linear model of the dynamic states: see `integrators.linearized`."""\n'
-        f'    name = "{model.name}_linearized"\n'
-        f"    return integrators.linearized(rhs(), outputs(), {dynamic}, name)\n"
     )
 
 
@@ -103,15 +90,16 @@ def _integrator_source(model: str, method: str) -> str:
 
 def _function_table(pack: Pack) -> dict[str, tuple[str, str, str]]:
     """CasADi name -> module, builder, C file; an empty C file: not compiled."""
+    is_readable = pack.all_modules[0].is_readable
     table: dict[str, tuple[str, str, str]] = {}
     for module in pack.all_modules:
         for function in module.functions:
             table[function.casadi_name] = (module.name, function.name, module.name)
     if pack.model is not None:
         name = pack.name
-        table[f"{name}_jacobians"] = ("model", "jacobians", "model")
+        # those of a long model stand in C for many points alone
+        table[f"{name}_jacobians"] = ("model", "jacobians", "model" if is_readable else "")
         table[f"{name}_places"] = ("model", "places", "")
-        table[f"{name}_linearized"] = ("model", "linearized", "")
         for method in integrators.METHODS:
             table[f"{name}_{method}"] = ("model", method, method)
     return table

@@ -1,152 +1,209 @@
-"""C text of kernels that evaluate functions of vectors at many points.
+"""C text of a kernel that evaluates a model and its Jacobians at many points.
 
-Every value that passes from one loop over the lanes to the next stands in a row of a small table;
-rows are used again when nobody reads them any more, so the table stays in the cache.
+All results share one graph. What each part of them needs is told by a set of parts; a stretch of
+code belongs to one such set and runs if any part in it is asked for, so nothing is computed, or
+written, twice.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import casadi as ca
 
 from .graph import Graph
-from .lanes import block, elementary, expression, literal, schedule, template
+from .lanes import block, elementary, expression, guarded, literal, schedule, template
 from .sums import read
 
-_LANES = 32
-#: Statements in a loop: more make a compiler slow, fewer pass more from loop to loop.
-_LONGEST = 400
+#: Result -> the part of the results that it belongs to, a bit. The elements of the results are
+#: numbered in this order, each by rows: f(n), fx(n, n), ..., as in ``jacobians``.
+PARTS = {"f": 1, "fx": 2, "fu": 2, "fp": 4, "g": 8, "gx": 16, "gu": 16, "gp": 32}
+#: Parts that are compiled only where they are asked for.
+_BY_PARAMETERS = PARTS["fp"] | PARTS["gp"]
+_LANES = 16
+#: Statements in a loop: of more, a compiler makes slow code slowly.
+_LONGEST = 200
 
 
-def points_kernel(functions: Iterable[ca.Function]) -> str:
-    """One C file with a kernel of the name of each function."""
-    pieces = {
-        "@LANES@": str(_LANES),
-        "/* @ELEMENTARY@ */": elementary(),
-        "/* @FUNCTIONS@ */": "\n".join(part for f in functions for part in _kernel(f)),
-    }
-    return template("points.c", pieces)
+@dataclass(frozen=True)
+class Stretch:
+    """Nodes computed in one loop over the lanes, and the parts of the results that need them."""
+
+    parts: int
+    nodes: tuple[int, ...]
 
 
-@dataclass
-class _Rows:
-    """Which row of the table each node stands in; row 0 holds zeros."""
+def points_kernel(rhs: ca.Function, outputs: ca.Function) -> str:
+    """The kernel of a model.
 
-    of: dict[int, int] = field(default_factory=dict)
-    free: list[int] = field(default_factory=list)
-    top: int = 1
-
-    def take(self, node: int) -> int:
-        """A row for a node."""
-        self.of[node] = self.free.pop() if self.free else self.top
-        self.top = max(self.top, self.of[node] + 1)
-        return self.of[node]
-
-
-def _kernel(function: ca.Function) -> Iterator[str]:
-    name, results = function.name(), _results(function)
-    graph, nodes, arguments = _read(function, results)
-    parts = list(_parts(graph, nodes))
-    rows = _Rows()
-    for leaf in arguments:
-        rows.take(leaf)
-    for k, lines in enumerate(_loops(graph, nodes, parts, rows)):
-        loop = ["LANE_LOOP {", *(f"    {line}" for line in lines), "}"]
-        yield block(f"APART void {name}_{k}(lanes *restrict w)", loop)
-    calls = [f"{name}_{k}(w);" for k in range(len(parts))]
-    place, fixed = _places(graph, nodes, rows)
-    fill = [f"LANE_LOOP w[{row}][l] = {literal(value)};" for row, value in fixed]
-    yield block(f"static void {name}_run(lanes *restrict w)", [*calls, *fill])
-    given = [graph.nodes[leaf].name for leaf in arguments]
-    yield f"static const int16_t {name}_in[] = {_table(given)};"
-    yield f"static const int16_t {name}_size[] = {_table([r.numel() for r in results])};"
-    yield f"static const int16_t {name}_place[] = {_table(_dense(results, place))};"
-    fields = f"{len(given)}, {len(results)}, {rows.top}, {name}_in, {name}_size, {name}_place"
-    yield f"static const function_t {name}_f = {{ {fields}, {name}_run }};"
-    yield f"SHOWN void {name}(const points_t *job) {{ all(&{name}_f, job); }}\n"
+    Parameters
+    ----------
+    rhs, outputs : casadi.Function
+        (x, u, p) -> xdot and (x, u, p) -> y.
+    """
+    arguments = rhs.sx_in()
+    results = _results(rhs, outputs, arguments)
+    graph = Graph()
+    sizes = [rhs.numel_in(k) for k in range(rhs.n_in())]
+    leaves = [
+        [graph.leaf(str(sum(sizes[:k]) + j), varies=True) for j in range(size)]
+        for k, size in enumerate(sizes)
+    ]
+    entries = ca.vertcat(*(result.nz[:] for result in results.values()))
+    nodes = read(graph, ca.Function("results", arguments, [entries]), leaves)
+    parts = [PARTS[name] for name, result in results.items() for _ in range(result.nnz())]
+    stretches = list(_stretches(graph, nodes, parts))
+    rows = _Rows(graph, stretches, nodes, sum(sizes))
+    functions = [_function(graph, k, stretch, rows) for k, stretch in enumerate(stretches)]
+    return template(
+        "points.c",
+        {
+            "@LANES@": str(_LANES),
+            "/* @ELEMENTARY@ */": elementary(),
+            "/* @SIZES@ */": _sizes(results, rows, sum(sizes), nodes),
+            "/* @MODEL@ */": "\n".join([*functions, *_drivers(stretches, rows)]),
+        },
+    )
 
 
-def _results(function: ca.Function) -> list[ca.SX]:
-    results = function(*function.sx_in())
-    return list(results) if isinstance(results, tuple) else [results]
+def _results(
+    rhs: ca.Function, outputs: ca.Function, arguments: Sequence[ca.SX]
+) -> dict[str, ca.SX]:
+    """Rates, outputs and their Jacobians, by the names of `PARTS`."""
+    found = {}
+    for letter, function in (("f", rhs), ("g", outputs)):
+        value = function(*arguments)
+        x, u, p = arguments
+        by_motion = ca.jacobian(value, ca.vertcat(x, u))
+        found[letter] = value
+        found[f"{letter}x"] = by_motion[:, : x.numel()]
+        found[f"{letter}u"] = by_motion[:, x.numel() :]
+        found[f"{letter}p"] = ca.jacobian(value, p)
+    return dict(zip(found, ca.cse(list(found.values())), strict=True))
 
 
-def _read(function: ca.Function, results: Sequence[ca.SX]) -> tuple[Graph, list[int], list[int]]:
-    """The graph, the node of every element that is not zero, and the arguments that are read."""
-    stacked = ca.vertcat(*(result.nz[:] for result in results))
-    flat = ca.Function(function.name(), function.sx_in(), [ca.densify(stacked)])
-    graph, leaves, count = Graph(), [], 0
-    for k in range(function.n_in()):
-        size = function.numel_in(k)
-        leaves.append([graph.leaf(str(count + i), varies=True) for i in range(size)])
-        count += size
-    nodes = read(graph, flat, leaves)
-    used = set(graph.closure(nodes))
-    return graph, nodes, [leaf for group in leaves for leaf in group if leaf in used]
+def _stretches(graph: Graph, nodes: Sequence[int], parts: Sequence[int]) -> Iterator[Stretch]:
+    """Everything to be computed, in an order in which it can be.
 
-
-def _parts(graph: Graph, nodes: Sequence[int]) -> Iterator[list[int]]:
-    """The operations, phase by phase, in pieces that a compiler likes."""
-    phases: dict[int, list[int]] = {}
-    for node, phase in schedule(graph, nodes).phase.items():
-        if graph.nodes[node].op not in ("leaf", "number"):
-            phases.setdefault(phase, []).append(node)
-    for _, members in sorted(phases.items()):
+    What a node reads is needed wherever the node is: by the same parts or by more.
+    """
+    needs = dict.fromkeys(graph.closure(nodes), 0)
+    for node, part in zip(nodes, parts, strict=True):
+        needs[node] |= part
+    for node in sorted(needs, reverse=True):
+        for a in graph.nodes[node].args:
+            needs[a] |= needs[node]
+    phase = schedule(graph, nodes).phase
+    groups: dict[tuple[int, int, int], list[int]] = {}
+    for node in sorted(phase):
+        key = (-needs[node].bit_count(), needs[node], phase[node])
+        groups.setdefault(key, []).append(node)
+    for (_, part, _), members in sorted(groups.items()):
         for start in range(0, len(members), _LONGEST):
-            yield members[start : start + _LONGEST]
+            yield Stretch(part, tuple(members[start : start + _LONGEST]))
 
 
-def _loops(
-    graph: Graph, nodes: Sequence[int], parts: Sequence[list[int]], rows: _Rows
-) -> Iterator[list[str]]:
-    """The statements of each loop; rows are taken and given back on the way."""
-    last = {a: k for k, part in enumerate(parts) for n in part for a in graph.nodes[n].args}
-    last |= dict.fromkeys(nodes, len(parts))
-    for k, part in enumerate(parts):
-        local: dict[int, str] = {}
-        lines: list[str] = []
-        for count, node in enumerate(part):
-            for a in graph.nodes[node].args:
-                if a in rows.of and a not in local:
-                    local[a] = f"r{rows.of[a]}"
-                    lines.append(f"const double {local[a]} = w[{rows.of[a]}][l];")
-            lines.append(f"const double v{count} = {expression(graph, node, local)};")
-            local[node] = f"v{count}"
-        done = [node for node, end in last.items() if end == k and node in rows.of]
-        crossing = [node for node in part if last.get(node, k) > k]
-        lines += [f"w[{rows.take(node)}][l] = {local[node]};" for node in crossing]
-        rows.free += [rows.of.pop(node) for node in done if graph.nodes[node].op != "leaf"]
-        yield lines
+class _Rows:
+    """Where each value that outlives its loop stands; a row is used again when nobody reads it.
+
+    Attributes
+    ----------
+    of : dict of int
+        Node -> row; arguments come first.
+    constants : dict of float
+        Row -> number that stands there from the beginning.
+    count : int
+    """
+
+    def __init__(
+        self, graph: Graph, stretches: Sequence[Stretch], results: Sequence[int], n_in: int
+    ) -> None:
+        self.of: dict[int, int] = {}
+        self.constants: dict[int, float] = {n_in: 0.0}
+        self.count = n_in + 1
+        for node, entry in enumerate(graph.nodes):
+            if entry.op == "leaf":
+                self.of[node] = int(entry.name)
+        last = {a: k for k, s in enumerate(stretches) for n in s.nodes for a in graph.nodes[n].args}
+        last |= dict.fromkeys(results, len(stretches))
+        free: list[int] = []
+        leaving: dict[int, list[int]] = {}
+        for k, stretch in enumerate(stretches):
+            for node in stretch.nodes:
+                if last[node] > k:
+                    self.of[node] = free.pop() if free else self._new()
+                    leaving.setdefault(last[node], []).append(self.of[node])
+            free += leaving.get(k, [])
+        for node in results:
+            if graph.nodes[node].op == "number":
+                self.of[node] = self._constant(graph.nodes[node].number)
+
+    def _new(self) -> int:
+        self.count += 1
+        return self.count - 1
+
+    def _constant(self, number: float) -> int:
+        for row, value in self.constants.items():
+            if value == number:
+                return row
+        row = self._new()
+        self.constants[row] = number
+        return row
 
 
-def _places(
-    graph: Graph, nodes: Sequence[int], rows: _Rows
-) -> tuple[list[int], list[tuple[int, float]]]:
-    """The row of each element of the results, and the rows that hold numbers."""
-    numbers: dict[float, int] = {0.0: 0}
-    place = []
-    for node in nodes:
-        value = graph.nodes[node].number
-        if graph.nodes[node].op != "number":
-            place.append(rows.of[node])
-            continue
-        if value not in numbers:
-            numbers[value], rows.top = rows.top, rows.top + 1
-        place.append(numbers[value])
-    return place, [(row, value) for value, row in numbers.items() if row]
+def _function(graph: Graph, index: int, stretch: Stretch, rows: _Rows) -> str:
+    """``stretch<index>(w)``"""
+    name = {n: f"W({row})" for n, row in rows.of.items()}
+    lines = []
+    for count, node in enumerate(stretch.nodes):
+        text = expression(graph, node, name)
+        if node in rows.of:
+            lines.append(f"{name[node]} = {text};")
+        else:
+            name[node] = f"v{count}"
+            lines.append(f"V({count}) {text};")
+    text = "\n".join([f"APART void stretch{index}(lanes *restrict w)", "{ LANE_LOOP {", *lines])
+    return _if_compiled(stretch, f"{text}\n}} }}\n")
 
 
-def _dense(results: Sequence[ca.SX], place: Sequence[int]) -> list[int]:
-    """The row of each element of each result, row by row; row 0 where it is always zero."""
-    found, dense = iter(place), []
-    for result in results:
-        where = {at: next(found) for at in zip(*result.sparsity().get_triplet(), strict=True)}
+def _if_compiled(stretch: Stretch, text: str) -> str:
+    return text if stretch.parts & ~_BY_PARAMETERS else guarded("BY_PARAMETERS", text)
+
+
+def _drivers(stretches: Sequence[Stretch], rows: _Rows) -> Iterator[str]:
+    """``constants(w)`` and ``evaluate(w, asked)``."""
+    fill = [f"LANE_LOOP W({row}) = {literal(value)};" for row, value in rows.constants.items()]
+    yield block("static void constants(lanes *w)", fill)
+    calls = []
+    for k, stretch in enumerate(stretches):
+        call = f"if (asked & {stretch.parts}) stretch{k}(w);\n"
+        calls += _if_compiled(stretch, call).splitlines()
+    yield block("static void evaluate(lanes *w, int asked)", calls)
+
+
+def _sizes(results: dict[str, ca.SX], rows: _Rows, n_in: int, nodes: Sequence[int]) -> str:
+    """Numbers of rows and results, and where each element of them stands."""
+    first, place, entries = [0], [], iter(nodes)
+    for result in results.values():
+        where = {}
+        for position in zip(*result.sparsity().get_triplet(), strict=True):
+            where[position] = rows.of[next(entries)]
         height, width = result.shape
-        dense += [where.get((i, j), 0) for i in range(height) for j in range(width)]
-    return dense
+        place += [where.get((i, j), n_in) for i in range(height) for j in range(width)]
+        first.append(len(place))
+    sizes = {"N_IN": n_in, "N_ROWS": rows.count, "N_RESULTS": len(results)}
+    return "\n".join(
+        [
+            f"enum {{ {', '.join(f'{name} = {size}' for name, size in sizes.items())} }};",
+            "/* Of each result its first element and its part; of each element its row. */",
+            f"static const int32_t FIRST[] = {_table(first)};",
+            f"static const int PART[] = {_table([PARTS[name] for name in results])};",
+            f"static const int16_t PLACE[] = {_table(place)};",
+            "",
+        ]
+    )
 
 
-def _table(values: Sequence[object]) -> str:
-    return "{ " + ", ".join(map(str, values)) + " }"
+def _table(values: Sequence[int]) -> str:
+    return f"{{{','.join(map(str, values))}}}"
