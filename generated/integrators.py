@@ -7,7 +7,6 @@ compiled function serves every time grid.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import casadi as ca
@@ -82,34 +81,3 @@ def jacobians(rhs: ca.Function, outputs: ca.Function, name: str) -> ca.Function:
     ]
     names = [f"{of}{by}" for of in "fg" for by in "xup"]
     return ca.Function(name, arguments, results, [*"xup"], names)
-
-
-def linearized(
-    rhs: ca.Function, outputs: ca.Function, dynamic: Sequence[int], name: str
-) -> ca.Function:
-    """The linear model at a point: matrices, and what is there.
-
-    Parameters
-    ----------
-    rhs, outputs : casadi.Function
-        (x, u, p) -> xdot and (x, u, p) -> y.
-    dynamic : sequence of int
-        Which states are dynamic.
-    name : str
-        Name of the result.
-
-    Returns
-    -------
-    casadi.Function
-        (x, u, p) -> A, B, C, D, drift, y; A, B and drift have rows, A and C columns, for the
-        dynamic states only.
-    """
-    arguments = [ca.SX.sym(s, rhs.size1_in(k)) for k, s in enumerate("xup")]
-    x, u, _ = arguments
-    drift, y = rhs(*arguments)[list(dynamic)], outputs(*arguments)
-    results = [
-        *(ca.jacobian(drift, x)[:, list(dynamic)], ca.jacobian(drift, u)),
-        *(ca.jacobian(y, x)[:, list(dynamic)], ca.jacobian(y, u)),
-        *(drift, y),
-    ]
-    return ca.Function(name, arguments, ca.cse(results), [*"xup"], [*"ABCD", "drift", "y"])

@@ -2940,13 +2940,6 @@ def places() -> ca.Function:
 
 
 @cache
-def linearized() -> ca.Function:
-    """The linear model of the dynamic states: see `integrators.linearized`."""
-    name = "landing_roll_linearized"
-    return integrators.linearized(rhs(), outputs(), [0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 12, 13], name)
-
-
-@cache
 def rk4() -> ca.Function:
     """Integrate the model over an interval: see `integrators.interval`."""
     return integrators.interval(rhs(), "landing_roll_rk4", "rk4")

@@ -358,13 +358,6 @@ def places() -> ca.Function:
 
 
 @cache
-def linearized() -> ca.Function:
-    """The linear model of the dynamic states: see `integrators.linearized`."""
-    name = "linear_linearized"
-    return integrators.linearized(rhs(), outputs(), [0, 1], name)
-
-
-@cache
 def rk4() -> ca.Function:
     """Integrate the model over an interval: see `integrators.interval`."""
     return integrators.interval(rhs(), "linear_rk4", "rk4")

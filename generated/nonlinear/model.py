@@ -512,13 +512,6 @@ def places() -> ca.Function:
 
 
 @cache
-def linearized() -> ca.Function:
-    """The linear model of the dynamic states: see `integrators.linearized`."""
-    name = "nonlinear_linearized"
-    return integrators.linearized(rhs(), outputs(), [0, 1], name)
-
-
-@cache
 def rk4() -> ca.Function:
     """Integrate the model over an interval: see `integrators.interval`."""
     return integrators.interval(rhs(), "nonlinear_rk4", "rk4")

@@ -1,18 +1,17 @@
 /* Generated from derive/ (digest bfd9ab80ef38709d) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
-/* Functions of states, inputs and parameters at many points, some points side by side.
- *
- * An argument is a column, or one number if its stride is 0; a result is rows of so many numbers,
- * one row for each point, or NULL if it is not wanted. */
+/* Functions of states, inputs and parameters at many points, some of them side by side. */
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-enum { LANES = 32 };
+enum { LANES = 16 };
 #define INLINE static inline __attribute__((always_inline))
 #define APART static __attribute__((noinline))
 #define SHOWN __attribute__((visibility("default")))
 #define LANE_LOOP _Pragma("omp simd") for (int l = 0; l < LANES; ++l)
+#define W(k) w[k][l]
+#define V(k) const double v##k =
 typedef double lanes[LANES];
 
 /* ---- elementary functions, branch-free so that loops over lanes become vector code ---------
@@ -212,378 +211,447 @@ INLINE double lane_max(double a, double b) { return a > b ? a : (b >= a ? b : a 
 INLINE double lane_sign(double a) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : a); }
 
 
+/* What is wanted of each point: `size` elements of the results, numbered through all of them. */
 typedef struct {
-    int64_t n, threads;
-    const double *const *in;     /* [arguments] */
+    double *data;                          /* [n][size] */
+    int64_t size;
+    const int32_t *element;                /* [size] */
+} wanted_t;
+
+typedef struct {
+    int64_t n, threads, n_wanted;
+    const double *const *given;            /* [N_IN] columns [n], or one number with stride 0 */
     const int64_t *stride;
-    double *const *out;          /* [results], each [n][size] or NULL */
+    const wanted_t *wanted;
 } points_t;
 
-/* What a function computes in rows w: arguments first, then whatever comes of them. `place` is for
- * every element of every result the row that it stands in; row 0 holds zeros. */
-typedef struct {
-    int n_in, n_out, rows;
-    const int16_t *in;           /* [n_in] which of the arguments */
-    const int16_t *size;         /* [n_out] */
-    const int16_t *place;
-    void (*run)(lanes *w);
-} function_t;
+enum { N_IN = 19, N_ROWS = 122, N_RESULTS = 8 };
+/* Of each result its first element and its part; of each element its row. */
+static const int32_t FIRST[] = {0,7,56,63,140,150,220,230,340};
+static const int PART[] = {1,2,2,4,8,16,16,32};
+static const int16_t PLACE[] = {63,40,0,1,38,39,1,46,66,19,19,19,19,19,64,67,19,19,19,19,19,121,19,19,19,19,19,19,19,121,19,19,19,19,19,65,19,19,19,19,19,68,35,19,19,19,19,19,38,19,121,19,19,19,19,19,23,69,19,19,19,19,19,56,19,71,73,75,77,79,81,59,60,19,19,70,72,74,76,78,80,82,83,84,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,35,19,19,19,19,19,19,19,19,19,19,36,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,24,26,61,41,62,30,33,32,37,34,20,50,19,19,19,19,19,20,29,19,19,19,19,19,20,19,19,19,19,19,19,43,85,19,19,19,19,19,44,86,19,19,19,19,19,42,87,19,19,19,19,19,46,54,19,19,19,19,19,25,53,19,19,19,19,19,47,88,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,19,23,121,89,19,19,19,55,19,95,19,19,19,19,19,19,19,19,19,45,96,19,19,19,19,19,19,19,19,19,19,97,19,19,19,19,19,19,19,19,52,19,98,19,19,19,116,19,19,19,19,19,90,99,104,108,112,19,19,19,19,19,19,91,100,19,19,19,19,26,19,56,19,51,93,102,105,109,113,59,60,19,19,19,49,92,101,106,110,114,117,119,19,19,19,48,94,103,107,111,115,118,120,19,18,19,19,19,19,19,19,19,19,19,8};
 
-/* Points from `from` to `end`, no more than there are lanes. */
-static void some(const function_t *f, const points_t *job, lanes *w, int64_t from, int64_t end)
+APART void stretch0(lanes *restrict w)
+{ LANE_LOOP {
+W(20) = 1.0 / W(12);
+W(21) = W(14) * W(15);
+W(22) = W(12) * W(12);
+W(23) = 1.0 / W(8);
+} }
+
+APART void stretch1(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(10) * W(1);
+V(1) W(0) + v0;
+W(24) = v1 * W(20);
+W(25) = W(16) * W(24);
+V(4) W(11) * W(1);
+V(5) -v4;
+V(6) W(0) + v5;
+W(26) = v6 * W(20);
+W(27) = W(21) * W(26);
+W(28) = W(27) * W(13);
+W(29) = W(28) * W(22);
+W(30) = W(17) * W(26);
+W(31) = (-2.0) * W(25);
+V(13) W(7) + W(31);
+V(14) (-0.5) * W(29);
+V(15) v13 + v14;
+V(16) -W(30);
+W(32) = v15 + v16;
+W(33) = W(32) * W(23);
+} }
+
+APART void stretch2(lanes *restrict w)
+{ LANE_LOOP {
+W(34) = 1.0 / W(9);
+W(35) = lane_cos(W(6));
+W(36) = lane_sin(W(6));
+} }
+
+APART void stretch3(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(29) * W(11);
+V(1) W(7) * W(11);
+V(2) W(25) * W(10);
+V(3) W(30) * W(11);
+V(4) 0.5 * v0;
+V(5) -v1;
+V(6) v4 + v5;
+V(7) (-2.0) * v2;
+V(8) v6 + v7;
+W(37) = v8 + v3;
+} }
+
+APART void stretch4(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(12) * W(35);
+V(1) W(0) * W(36);
+V(2) -v1;
+W(38) = v0 + v2;
+V(4) W(12) * W(36);
+V(5) W(0) * W(35);
+W(39) = v4 + v5;
+} }
+
+APART void stretch5(lanes *restrict w)
+{ LANE_LOOP {
+W(40) = W(37) * W(34);
+} }
+
+APART void stretch6(lanes *restrict w)
+{ LANE_LOOP {
+W(41) = W(11) * W(34);
+} }
+
+APART void stretch7(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(16) * W(20);
+V(1) W(21) * W(20);
+V(2) W(13) * v1;
+V(3) W(22) * v2;
+W(42) = W(17) * W(20);
+W(43) = 2.0 * v0;
+W(44) = 0.5 * v3;
+V(7) W(43) + W(44);
+W(45) = v7 + W(42);
+V(9) W(45) * W(23);
+W(46) = -v9;
+V(11) W(11) * v3;
+V(12) W(10) * v0;
+V(13) W(11) * W(42);
+V(14) 0.5 * v11;
+V(15) (-2.0) * v12;
+V(16) v14 + v15;
+W(47) = v16 + v13;
+W(48) = W(11) * W(20);
+V(19) W(21) * W(48);
+V(20) W(13) * v19;
+W(49) = W(22) * v20;
+W(50) = W(10) * W(20);
+W(51) = W(16) * W(50);
+W(52) = W(17) * W(48);
+V(25) 0.5 * W(49);
+V(26) (-2.0) * W(51);
+V(27) v25 + v26;
+W(53) = v27 + W(52);
+W(54) = W(53) * W(23);
+V(30) W(11) * W(49);
+V(31) W(10) * W(51);
+V(32) W(11) * W(52);
+V(33) 0.5 * v30;
+V(34) 2.0 * v31;
+V(35) v33 + v34;
+W(55) = v35 + v32;
+} }
+
+#if BY_PARAMETERS
+APART void stretch8(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(33) * W(23);
+W(56) = -v0;
+W(57) = W(26) * W(20);
+W(58) = W(24) * W(20);
+V(4) W(24) * W(23);
+W(59) = (-2.0) * v4;
+V(6) W(26) * W(23);
+W(60) = -v6;
+} }
+#endif
+
+APART void stretch9(lanes *restrict w)
+{ LANE_LOOP {
+W(61) = W(0) * W(20);
+W(62) = 0.5 * W(29);
+} }
+
+APART void stretch10(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(1) * W(12);
+V(1) -v0;
+W(63) = W(33) + v1;
+} }
+
+APART void stretch11(lanes *restrict w)
+{ LANE_LOOP {
+W(64) = W(47) * W(34);
+W(65) = -W(36);
+V(2) -W(12);
+W(66) = v2 + W(54);
+V(4) W(55) * W(34);
+W(67) = -v4;
+W(68) = -W(39);
+W(69) = -W(41);
+} }
+
+#if BY_PARAMETERS
+APART void stretch12(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(40) * W(34);
+W(70) = -v0;
+V(2) W(16) * W(23);
+V(3) v2 * W(20);
+V(4) W(1) * v3;
+W(71) = (-2.0) * v4;
+V(6) W(10) * W(34);
+V(7) W(16) * v6;
+V(8) v7 * W(20);
+V(9) W(1) * v8;
+V(10) W(25) * W(34);
+V(11) (-2.0) * v9;
+V(12) (-2.0) * v10;
+W(72) = v11 + v12;
+V(14) W(17) * W(23);
+V(15) W(22) * W(23);
+V(16) W(13) * v15;
+V(17) W(21) * v16;
+V(18) 0.5 * v17;
+V(19) v14 + v18;
+V(20) v19 * W(20);
+W(73) = W(1) * v20;
+V(22) W(30) * W(34);
+V(23) W(7) * W(34);
+V(24) W(29) * W(34);
+V(25) W(17) * W(41);
+V(26) W(22) * W(41);
+V(27) W(13) * v26;
+V(28) W(21) * v27;
+V(29) 0.5 * v28;
+V(30) v25 + v29;
+V(31) v30 * W(20);
+V(32) W(1) * v31;
+V(33) -v23;
+V(34) v22 + v33;
+V(35) 0.5 * v24;
+V(36) v34 + v35;
+V(37) -v32;
+W(74) = v36 + v37;
+V(39) W(57) * v19;
+V(40) W(28) * W(23);
+V(41) W(12) * v40;
+V(42) W(58) * v2;
+V(43) -W(1);
+V(44) v43 + v39;
+V(45) -v41;
+V(46) v44 + v45;
+V(47) 2.0 * v42;
+W(75) = v46 + v47;
+V(49) W(28) * W(41);
+V(50) W(12) * v49;
+V(51) W(57) * v30;
+V(52) W(58) * v7;
+V(53) -v51;
+V(54) v50 + v53;
+V(55) 2.0 * v52;
+W(76) = v54 + v55;
+V(57) W(27) * v15;
+W(77) = (-0.5) * v57;
+V(59) W(27) * v26;
+W(78) = 0.5 * v59;
+V(61) W(26) * v16;
+V(62) W(15) * v61;
+W(79) = (-0.5) * v62;
+V(64) W(26) * v27;
+V(65) W(15) * v64;
+W(80) = 0.5 * v65;
+V(67) W(14) * v61;
+W(81) = (-0.5) * v67;
+V(69) W(14) * v64;
+W(82) = 0.5 * v69;
+V(71) W(24) * v6;
+W(83) = (-2.0) * v71;
+W(84) = W(26) * W(41);
+} }
+#endif
+
+APART void stretch13(lanes *restrict w)
+{ LANE_LOOP {
+W(41) = 2.0 * W(25);
+W(34) = W(18) * W(8);
+} }
+
+APART void stretch14(lanes *restrict w)
+{ LANE_LOOP {
+W(25) = -W(45);
+W(29) = -W(48);
+W(85) = 2.0 * W(51);
+W(86) = (-0.5) * W(49);
+W(87) = -W(52);
+W(88) = -W(55);
+W(89) = -W(11);
+} }
+
+#if BY_PARAMETERS
+APART void stretch15(lanes *restrict w)
+{ LANE_LOOP {
+W(55) = W(1) * W(20);
+V(1) W(16) * W(55);
+W(52) = 2.0 * v1;
+V(3) v1 * W(23);
+W(51) = (-2.0) * v3;
+W(49) = (-2.0) * v1;
+V(6) W(10) * v1;
+V(7) (-2.0) * v6;
+W(48) = W(31) + v7;
+W(45) = -W(55);
+V(10) W(21) * W(55);
+V(11) W(13) * v10;
+V(12) W(22) * v11;
+W(90) = (-0.5) * v12;
+V(14) W(17) * W(55);
+W(91) = -v14;
+V(16) 0.5 * v12;
+W(92) = v16 + v14;
+W(93) = W(92) * W(23);
+V(19) W(11) * v12;
+V(20) W(11) * v14;
+V(21) -W(7);
+V(22) v21 + W(62);
+V(23) v22 + W(30);
+V(24) (-0.5) * v19;
+V(25) v23 + v24;
+V(26) -v20;
+W(94) = v25 + v26;
+W(95) = -W(58);
+W(96) = -W(57);
+V(30) W(61) * W(20);
+W(97) = -v30;
+V(32) W(16) * W(58);
+W(98) = (-2.0) * v32;
+V(34) W(28) * W(12);
+V(35) W(21) * W(57);
+V(36) W(13) * v35;
+V(37) W(22) * v36;
+V(38) (-0.5) * v37;
+W(99) = v34 + v38;
+V(40) W(17) * W(57);
+W(100) = -v40;
+V(42) 2.0 * v32;
+V(43) -W(99);
+V(44) v42 + v43;
+W(101) = v44 + v40;
+W(102) = W(101) * W(23);
+V(47) W(11) * W(99);
+V(48) W(10) * v32;
+V(49) W(11) * v40;
+V(50) 2.0 * v48;
+V(51) v47 + v50;
+V(52) -v49;
+W(103) = v51 + v52;
+V(54) W(22) * W(27);
+W(104) = 0.5 * v54;
+V(56) v54 * W(23);
+W(105) = (-0.5) * v56;
+W(106) = (-0.5) * v54;
+V(59) W(11) * v54;
+W(107) = 0.5 * v59;
+V(61) W(26) * W(15);
+V(62) W(13) * v61;
+V(63) W(22) * v62;
+W(108) = 0.5 * v63;
+V(65) v63 * W(23);
+W(109) = (-0.5) * v65;
+W(110) = (-0.5) * v63;
+V(68) W(11) * v63;
+W(111) = 0.5 * v68;
+V(70) W(26) * W(14);
+V(71) W(13) * v70;
+V(72) W(22) * v71;
+W(112) = 0.5 * v72;
+V(74) v72 * W(23);
+W(113) = (-0.5) * v74;
+W(114) = (-0.5) * v72;
+V(77) W(11) * v72;
+W(115) = 0.5 * v77;
+W(116) = 2.0 * W(24);
+W(117) = (-2.0) * W(24);
+V(81) W(10) * W(24);
+W(118) = (-2.0) * v81;
+W(119) = -W(26);
+W(120) = W(11) * W(26);
+} }
+#endif
+
+static void constants(lanes *w)
+{
+    LANE_LOOP W(19) = 0.0;
+    LANE_LOOP W(121) = 1.0;
+}
+
+static void evaluate(lanes *w, int asked)
+{
+    if (asked & 63) stretch0(w);
+    if (asked & 45) stretch1(w);
+    if (asked & 7) stretch2(w);
+    if (asked & 13) stretch3(w);
+    if (asked & 3) stretch4(w);
+    if (asked & 5) stretch5(w);
+    if (asked & 6) stretch6(w);
+    if (asked & 18) stretch7(w);
+    #if BY_PARAMETERS
+    if (asked & 36) stretch8(w);
+    #endif
+    if (asked & 40) stretch9(w);
+    if (asked & 1) stretch10(w);
+    if (asked & 2) stretch11(w);
+    #if BY_PARAMETERS
+    if (asked & 4) stretch12(w);
+    #endif
+    if (asked & 8) stretch13(w);
+    if (asked & 16) stretch14(w);
+    #if BY_PARAMETERS
+    if (asked & 32) stretch15(w);
+    #endif
+}
+
+
+/* Which parts of the results are asked for, one bit each. */
+static int parts(const points_t *job)
+{
+    int found = 0;
+    for (int64_t j = 0; j < job->n_wanted; ++j)
+        for (int64_t k = 0; k < job->wanted[j].size; ++k)
+            for (int r = 0; r < N_RESULTS; ++r)
+                if (job->wanted[j].element[k] >= FIRST[r] && job->wanted[j].element[k] < FIRST[r + 1])
+                    found |= PART[r];
+    return found;
+}
+
+/* Points `from` to `end`, no more than there are lanes: unused lanes repeat the last. */
+static void some(const points_t *job, int asked, lanes *w, int64_t from, int64_t end)
 {
     const int count = (int)(end - from);
-    for (int k = 0; k < f->n_in; ++k) {
-        const int64_t stride = job->stride[f->in[k]];
-        const double *column = job->in[f->in[k]] + stride * from;
+    for (int k = 0; k < N_IN; ++k) {
+        const int64_t stride = job->stride[k];
+        const double *column = job->given[k] + stride * from;
         for (int l = 0; l < LANES && stride; ++l)
-            w[1 + k][l] = column[l < count ? l : count - 1];
+            w[k][l] = column[l < count ? l : count - 1];
     }
-    f->run(w);
-    for (int r = 0, e = 0; r < f->n_out; e += f->size[r++]) {
-        double *out = job->out[r];
-        if (!out)
-            continue;
-        out += from * f->size[r];
-        for (int k = 0; k < f->size[r]; ++k)
+    evaluate(w, asked);
+    for (int64_t j = 0; j < job->n_wanted; ++j) {
+        const wanted_t *wanted = job->wanted + j;
+        double *out = wanted->data + from * wanted->size;
+        for (int64_t k = 0; k < wanted->size; ++k)
             for (int l = 0; l < count; ++l)
-                out[l * f->size[r] + k] = w[f->place[e + k]][l];
+                out[l * wanted->size + k] = w[PLACE[wanted->element[k]]][l];
     }
 }
 
-static void all(const function_t *f, const points_t *job)
+SHOWN void points(const points_t *job)
 {
     const int64_t blocks = (job->n + LANES - 1) / LANES;
+    const int asked = parts(job);
 #pragma omp parallel num_threads((int)job->threads) if (job->threads > 1)
     {
-        lanes w[f->rows] __attribute__((aligned(64)));
-        for (int l = 0; l < LANES; ++l)
-            w[0][l] = 0.0;
-        for (int k = 0; k < f->n_in; ++k)
+        lanes w[N_ROWS] __attribute__((aligned(64)));
+        constants(w);
+        for (int k = 0; k < N_IN; ++k)
             for (int l = 0; l < LANES; ++l)
-                w[1 + k][l] = *job->in[f->in[k]];
+                w[k][l] = *job->given[k];
 #pragma omp for schedule(static)
         for (int64_t b = 0; b < blocks; ++b) {
-            const int64_t from = b * LANES, left = job->n - from;
-            some(f, job, w, from, left < LANES ? job->n : from + LANES);
+            const int64_t from = b * LANES, end = from + LANES;
+            some(job, asked, w, from, end < job->n ? end : job->n);
         }
     }
 }
-
-APART void linear_rhs_0(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r7 = w[7][l];
-        const double r2 = w[2][l];
-        const double v0 = r7 * r2;
-        const double r9 = w[9][l];
-        const double v1 = 1.0 / r9;
-        const double r1 = w[1][l];
-        const double v2 = r1 + v0;
-        const double v3 = v2 * v1;
-        const double r13 = w[13][l];
-        const double v4 = r13 * v3;
-        const double r11 = w[11][l];
-        const double r12 = w[12][l];
-        const double v5 = r11 * r12;
-        const double r8 = w[8][l];
-        const double v6 = r8 * r2;
-        const double v7 = -v6;
-        const double v8 = r1 + v7;
-        const double v9 = v8 * v1;
-        const double v10 = v5 * v9;
-        const double r10 = w[10][l];
-        const double v11 = v10 * r10;
-        const double v12 = r9 * r9;
-        const double v13 = v11 * v12;
-        const double r14 = w[14][l];
-        const double v14 = r14 * v9;
-        const double r5 = w[5][l];
-        const double v15 = 1.0 / r5;
-        const double v16 = (-2.0) * v4;
-        const double r4 = w[4][l];
-        const double v17 = r4 + v16;
-        const double v18 = (-0.5) * v13;
-        const double v19 = v17 + v18;
-        const double v20 = -v14;
-        const double v21 = v19 + v20;
-        const double v22 = v21 * v15;
-        const double v23 = r2 * r9;
-        const double v24 = -v23;
-        const double v25 = v22 + v24;
-        const double v26 = v13 * r8;
-        const double v27 = r4 * r8;
-        const double v28 = v4 * r7;
-        const double v29 = v14 * r8;
-        const double r6 = w[6][l];
-        const double v30 = 1.0 / r6;
-        const double v31 = 0.5 * v26;
-        const double v32 = -v27;
-        const double v33 = v31 + v32;
-        const double v34 = (-2.0) * v28;
-        const double v35 = v33 + v34;
-        const double v36 = v35 + v29;
-        const double v37 = v36 * v30;
-        const double r3 = w[3][l];
-        const double v38 = lane_cos(r3);
-        const double v39 = r9 * v38;
-        const double v40 = lane_sin(r3);
-        const double v41 = r1 * v40;
-        const double v42 = -v41;
-        const double v43 = v39 + v42;
-        const double v44 = r9 * v40;
-        const double v45 = r1 * v38;
-        const double v46 = v44 + v45;
-        w[15][l] = v25;
-        w[16][l] = v37;
-        w[17][l] = v43;
-        w[18][l] = v46;
-    }
-}
-
-static void linear_rhs_run(lanes *restrict w)
-{
-    linear_rhs_0(w);
-}
-
-static const int16_t linear_rhs_in[] = { 0, 1, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17 };
-static const int16_t linear_rhs_size[] = { 7 };
-static const int16_t linear_rhs_place[] = { 15, 16, 1, 2, 17, 18, 2 };
-static const function_t linear_rhs_f = { 14, 1, 19, linear_rhs_in, linear_rhs_size, linear_rhs_place, linear_rhs_run };
-SHOWN void linear_rhs(const points_t *job) { all(&linear_rhs_f, job); }
-
-APART void linear_outputs_0(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r5 = w[5][l];
-        const double r2 = w[2][l];
-        const double v0 = r5 * r2;
-        const double r7 = w[7][l];
-        const double v1 = 1.0 / r7;
-        const double r1 = w[1][l];
-        const double v2 = r1 + v0;
-        const double v3 = v2 * v1;
-        const double r6 = w[6][l];
-        const double v4 = r6 * r2;
-        const double v5 = -v4;
-        const double v6 = r1 + v5;
-        const double v7 = v6 * v1;
-        const double v8 = r1 * v1;
-        const double r11 = w[11][l];
-        const double v9 = r11 * v3;
-        const double v10 = 2.0 * v9;
-        const double r9 = w[9][l];
-        const double r10 = w[10][l];
-        const double v11 = r9 * r10;
-        const double v12 = v11 * v7;
-        const double r8 = w[8][l];
-        const double v13 = v12 * r8;
-        const double v14 = r7 * r7;
-        const double v15 = v13 * v14;
-        const double v16 = 0.5 * v15;
-        const double r12 = w[12][l];
-        const double v17 = r12 * v7;
-        const double v18 = (-2.0) * v9;
-        const double r3 = w[3][l];
-        const double v19 = r3 + v18;
-        const double v20 = (-0.5) * v15;
-        const double v21 = v19 + v20;
-        const double v22 = -v17;
-        const double v23 = v21 + v22;
-        const double r4 = w[4][l];
-        const double v24 = 1.0 / r4;
-        const double v25 = v23 * v24;
-        const double v26 = v15 * r6;
-        const double v27 = r3 * r6;
-        const double v28 = v9 * r5;
-        const double v29 = v17 * r6;
-        const double v30 = 0.5 * v26;
-        const double v31 = -v27;
-        const double v32 = v30 + v31;
-        const double v33 = (-2.0) * v28;
-        const double v34 = v32 + v33;
-        const double v35 = v34 + v29;
-        const double r13 = w[13][l];
-        const double v36 = r13 * r4;
-        w[14][l] = v3;
-        w[15][l] = v7;
-        w[16][l] = v8;
-        w[17][l] = v10;
-        w[18][l] = v16;
-        w[19][l] = v17;
-        w[20][l] = v23;
-        w[21][l] = v25;
-        w[22][l] = v35;
-        w[23][l] = v36;
-    }
-}
-
-static void linear_outputs_run(lanes *restrict w)
-{
-    linear_outputs_0(w);
-}
-
-static const int16_t linear_outputs_in[] = { 0, 1, 7, 8, 10, 11, 12, 13, 14, 15, 16, 17, 18 };
-static const int16_t linear_outputs_size[] = { 10 };
-static const int16_t linear_outputs_place[] = { 14, 15, 16, 17, 18, 19, 21, 20, 22, 23 };
-static const function_t linear_outputs_f = { 13, 1, 24, linear_outputs_in, linear_outputs_size, linear_outputs_place, linear_outputs_run };
-SHOWN void linear_outputs(const points_t *job) { all(&linear_outputs_f, job); }
-
-APART void linear_linearized_0(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r8 = w[8][l];
-        const double v0 = 1.0 / r8;
-        const double r12 = w[12][l];
-        const double v1 = r12 * v0;
-        const double v2 = r8 * r8;
-        const double r10 = w[10][l];
-        const double r11 = w[11][l];
-        const double v3 = r10 * r11;
-        const double v4 = v3 * v0;
-        const double r9 = w[9][l];
-        const double v5 = r9 * v4;
-        const double v6 = v2 * v5;
-        const double r13 = w[13][l];
-        const double v7 = r13 * v0;
-        const double v8 = 2.0 * v1;
-        const double v9 = 0.5 * v6;
-        const double v10 = v8 + v9;
-        const double v11 = v10 + v7;
-        const double r4 = w[4][l];
-        const double v12 = 1.0 / r4;
-        const double v13 = v11 * v12;
-        const double v14 = -v13;
-        const double r7 = w[7][l];
-        const double v15 = r7 * v6;
-        const double r6 = w[6][l];
-        const double v16 = r6 * v1;
-        const double v17 = r7 * v7;
-        const double v18 = 0.5 * v15;
-        const double v19 = (-2.0) * v16;
-        const double v20 = v18 + v19;
-        const double v21 = v20 + v17;
-        const double r5 = w[5][l];
-        const double v22 = 1.0 / r5;
-        const double v23 = v21 * v22;
-        const double v24 = r7 * v0;
-        const double v25 = v3 * v24;
-        const double v26 = r9 * v25;
-        const double v27 = v2 * v26;
-        const double v28 = r6 * v0;
-        const double v29 = r12 * v28;
-        const double v30 = r13 * v24;
-        const double v31 = 0.5 * v27;
-        const double v32 = (-2.0) * v29;
-        const double v33 = v31 + v32;
-        const double v34 = v33 + v30;
-        const double v35 = v34 * v12;
-        const double v36 = -r8;
-        const double v37 = v36 + v35;
-        const double v38 = r7 * v27;
-        const double v39 = r6 * v29;
-        const double v40 = r7 * v30;
-        const double v41 = 0.5 * v38;
-        const double v42 = 2.0 * v39;
-        const double v43 = v41 + v42;
-        const double v44 = v43 + v40;
-        const double v45 = v44 * v22;
-        const double v46 = -v45;
-        const double v47 = r7 * v22;
-        const double v48 = -v47;
-        const double v49 = -v11;
-        const double v50 = -v24;
-        const double v51 = 2.0 * v29;
-        const double v52 = (-0.5) * v27;
-        const double v53 = -v30;
-        const double v54 = -v44;
-        const double v55 = -r7;
-        const double r2 = w[2][l];
-        const double v56 = r6 * r2;
-        const double r1 = w[1][l];
-        const double v57 = r1 + v56;
-        const double v58 = v57 * v0;
-        const double v59 = r12 * v58;
-        const double v60 = r7 * r2;
-        const double v61 = -v60;
-        const double v62 = r1 + v61;
-        const double v63 = v62 * v0;
-        const double v64 = v3 * v63;
-        const double v65 = v64 * r9;
-        const double v66 = v65 * v2;
-        const double v67 = r13 * v63;
-        const double v68 = (-2.0) * v59;
-        const double r3 = w[3][l];
-        const double v69 = r3 + v68;
-        const double v70 = (-0.5) * v66;
-        const double v71 = v69 + v70;
-        const double v72 = -v67;
-        const double v73 = v71 + v72;
-        const double v74 = v73 * v12;
-        const double v75 = r2 * r8;
-        const double v76 = -v75;
-        const double v77 = v74 + v76;
-        const double v78 = v66 * r7;
-        const double v79 = r3 * r7;
-        const double v80 = v59 * r6;
-        const double v81 = v67 * r7;
-        const double v82 = 0.5 * v78;
-        const double v83 = -v79;
-        const double v84 = v82 + v83;
-        const double v85 = (-2.0) * v80;
-        const double v86 = v84 + v85;
-        const double v87 = v86 + v81;
-        const double v88 = v87 * v22;
-        const double v89 = r1 * v0;
-        const double v90 = 2.0 * v59;
-        const double v91 = 0.5 * v66;
-        const double r14 = w[14][l];
-        const double v92 = r14 * r4;
-        w[15][l] = v0;
-        w[16][l] = v7;
-        w[17][l] = v8;
-        w[18][l] = v9;
-        w[19][l] = v12;
-        w[20][l] = v14;
-        w[21][l] = v21;
-        w[22][l] = v23;
-        w[23][l] = v28;
-        w[24][l] = v34;
-        w[25][l] = v35;
-        w[26][l] = v37;
-        w[27][l] = v46;
-        w[28][l] = v48;
-        w[29][l] = v49;
-        w[30][l] = v50;
-        w[31][l] = v51;
-        w[32][l] = v52;
-        w[33][l] = v53;
-        w[34][l] = v54;
-        w[35][l] = v55;
-        w[36][l] = v58;
-        w[37][l] = v63;
-        w[38][l] = v67;
-        w[39][l] = v73;
-        w[40][l] = v74;
-        w[41][l] = v77;
-        w[42][l] = v87;
-        w[43][l] = v88;
-        w[44][l] = v89;
-        w[45][l] = v90;
-        w[46][l] = v91;
-        w[47][l] = v92;
-    }
-}
-
-static void linear_linearized_run(lanes *restrict w)
-{
-    linear_linearized_0(w);
-    LANE_LOOP w[48][l] = 1.0;
-}
-
-static const int16_t linear_linearized_in[] = { 0, 1, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18 };
-static const int16_t linear_linearized_size[] = { 4, 2, 20, 10, 2, 10 };
-static const int16_t linear_linearized_place[] = { 20, 26, 22, 27, 19, 28, 15, 23, 15, 30, 15, 0, 17, 31, 18, 32, 16, 33, 20, 25, 29, 24, 21, 34, 0, 0, 0, 0, 0, 0, 0, 0, 19, 48, 35, 0, 41, 43, 36, 37, 44, 45, 46, 38, 40, 39, 42, 47 };
-static const function_t linear_linearized_f = { 14, 6, 49, linear_linearized_in, linear_linearized_size, linear_linearized_place, linear_linearized_run };
-SHOWN void linear_linearized(const points_t *job) { all(&linear_linearized_f, job); }
-

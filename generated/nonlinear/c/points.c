@@ -1,18 +1,17 @@
 /* Generated from derive/ (digest 0b025fe68865f259) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
-/* Functions of states, inputs and parameters at many points, some points side by side.
- *
- * An argument is a column, or one number if its stride is 0; a result is rows of so many numbers,
- * one row for each point, or NULL if it is not wanted. */
+/* Functions of states, inputs and parameters at many points, some of them side by side. */
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-enum { LANES = 32 };
+enum { LANES = 16 };
 #define INLINE static inline __attribute__((always_inline))
 #define APART static __attribute__((noinline))
 #define SHOWN __attribute__((visibility("default")))
 #define LANE_LOOP _Pragma("omp simd") for (int l = 0; l < LANES; ++l)
+#define W(k) w[k][l]
+#define V(k) const double v##k =
 typedef double lanes[LANES];
 
 /* ---- elementary functions, branch-free so that loops over lanes become vector code ---------
@@ -212,730 +211,974 @@ INLINE double lane_max(double a, double b) { return a > b ? a : (b >= a ? b : a 
 INLINE double lane_sign(double a) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : a); }
 
 
+/* What is wanted of each point: `size` elements of the results, numbered through all of them. */
 typedef struct {
-    int64_t n, threads;
-    const double *const *in;     /* [arguments] */
+    double *data;                          /* [n][size] */
+    int64_t size;
+    const int32_t *element;                /* [size] */
+} wanted_t;
+
+typedef struct {
+    int64_t n, threads, n_wanted;
+    const double *const *given;            /* [N_IN] columns [n], or one number with stride 0 */
     const int64_t *stride;
-    double *const *out;          /* [results], each [n][size] or NULL */
+    const wanted_t *wanted;
 } points_t;
 
-/* What a function computes in rows w: arguments first, then whatever comes of them. `place` is for
- * every element of every result the row that it stands in; row 0 holds zeros. */
-typedef struct {
-    int n_in, n_out, rows;
-    const int16_t *in;           /* [n_in] which of the arguments */
-    const int16_t *size;         /* [n_out] */
-    const int16_t *place;
-    void (*run)(lanes *w);
-} function_t;
+enum { N_IN = 27, N_ROWS = 198, N_RESULTS = 8 };
+/* Of each result its first element and its part; of each element its row. */
+static const int32_t FIRST[] = {0,7,56,63,196,207,284,295,504};
+static const int PART[] = {1,2,2,4,8,16,16,32};
+static const int16_t PLACE[] = {62,76,0,1,69,70,1,108,110,27,27,27,27,27,109,111,27,27,27,27,27,197,27,27,27,27,27,27,27,197,27,27,27,27,27,102,27,27,27,27,27,106,53,27,27,27,27,27,69,27,197,27,27,27,27,27,37,107,27,27,27,27,27,79,27,41,115,129,120,122,124,91,133,132,137,131,139,141,143,145,147,27,27,49,128,116,130,121,123,125,126,136,135,138,134,140,142,144,146,148,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,53,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,54,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,127,38,119,114,35,42,98,97,113,118,117,95,103,27,27,27,27,27,56,104,27,27,27,27,27,57,27,27,27,27,27,27,89,84,27,27,27,27,27,80,51,27,27,27,27,27,47,78,27,27,27,27,27,88,73,27,27,27,27,27,87,83,27,27,27,27,27,85,72,27,27,27,27,27,68,75,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,37,197,74,27,27,27,27,105,27,50,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,86,48,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,46,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,100,27,65,27,27,27,27,60,40,33,173,177,181,185,189,193,27,27,27,27,82,29,152,156,160,27,27,27,27,27,27,27,27,27,27,27,27,27,27,81,149,27,27,27,38,27,27,27,27,27,27,27,27,27,27,101,27,99,55,63,153,157,161,91,59,39,32,174,178,182,186,190,194,27,27,27,43,71,64,154,158,162,164,58,36,31,175,179,183,187,191,195,27,27,27,90,52,61,155,159,163,165,44,34,28,176,180,184,188,192,196,27,77,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,26,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,27,8};
 
-/* Points from `from` to `end`, no more than there are lanes. */
-static void some(const function_t *f, const points_t *job, lanes *w, int64_t from, int64_t end)
+APART void stretch0(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(19) * W(17);
+W(28) = W(18) + v0;
+V(2) W(10) * W(1);
+W(29) = W(0) + v2;
+V(4) W(21) * W(17);
+W(30) = W(20) + v4;
+V(6) -W(25);
+W(31) = v6 + 1.0;
+W(32) = 1.0 / W(22);
+W(33) = W(14) * W(15);
+V(10) W(11) * W(1);
+W(34) = 1.0 / W(12);
+V(12) -v10;
+V(13) W(0) + v12;
+W(35) = v13 * W(34);
+W(36) = W(12) * W(12);
+W(37) = 1.0 / W(8);
+} }
+
+APART void stretch1(lanes *restrict w)
+{ LANE_LOOP {
+W(38) = lane_atan(W(35));
+W(39) = W(33) * W(38);
+W(40) = W(39) * W(13);
+W(41) = W(40) * W(36);
+W(42) = W(16) * W(38);
+V(5) (-0.5) * W(41);
+V(6) W(7) + v5;
+V(7) -W(42);
+W(43) = v6 + v7;
+} }
+
+APART void stretch2(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(35) * W(35);
+V(1) v0 + 1.0;
+W(44) = 1.0 / v1;
+} }
+
+APART void stretch3(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(28) * W(29);
+V(1) W(30) * W(12);
+W(45) = 1.0 / v1;
+W(46) = v0 * W(45);
+V(4) W(46) * W(31);
+W(47) = W(22) * W(46);
+W(48) = lane_atan(W(47));
+V(7) W(25) * W(48);
+W(49) = v7 * W(32);
+W(50) = v4 + W(49);
+W(51) = W(22) * W(50);
+W(52) = 1.0 / W(9);
+W(53) = lane_cos(W(6));
+W(54) = lane_sin(W(6));
+} }
+
+APART void stretch4(lanes *restrict w)
+{ LANE_LOOP {
+W(55) = lane_atan(W(51));
+W(56) = W(23) * W(55);
+} }
+
+APART void stretch5(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(41) * W(11);
+V(1) W(7) * W(11);
+V(2) W(42) * W(11);
+V(3) -v1;
+V(4) 0.5 * v0;
+V(5) v3 + v4;
+W(57) = v5 + v2;
+} }
+
+APART void stretch6(lanes *restrict w)
+{ LANE_LOOP {
+W(58) = W(29) * W(34);
+W(59) = W(0) * W(34);
+V(2) W(28) * W(58);
+W(60) = 1.0 / W(30);
+W(61) = v2 * W(60);
+V(5) W(61) * W(31);
+W(62) = W(22) * W(61);
+W(63) = lane_atan(W(62));
+V(8) W(25) * W(63);
+W(64) = v8 * W(32);
+W(65) = v5 + W(64);
+W(66) = W(22) * W(65);
+} }
+
+APART void stretch7(lanes *restrict w)
+{ LANE_LOOP {
+W(67) = lane_atan(W(66));
+W(68) = W(23) * W(67);
+} }
+
+APART void stretch8(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(12) * W(53);
+V(1) W(0) * W(54);
+V(2) -v1;
+W(69) = v0 + v2;
+V(4) W(12) * W(54);
+V(5) W(0) * W(53);
+W(70) = v4 + v5;
+} }
+
+APART void stretch9(lanes *restrict w)
+{ LANE_LOOP {
+W(71) = lane_sin(W(56));
+W(72) = W(24) * W(71);
+W(73) = W(72) * W(17);
+W(74) = W(73) * W(30);
+V(4) (-2.0) * W(74);
+V(5) W(43) + v4;
+W(75) = v5 * W(37);
+V(7) W(74) * W(10);
+V(8) (-2.0) * v7;
+V(9) W(57) + v8;
+W(76) = v9 * W(52);
+} }
+
+APART void stretch10(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(47) * W(47);
+V(1) v0 + 1.0;
+W(77) = 1.0 / v1;
+V(3) W(51) * W(51);
+V(4) v3 + 1.0;
+W(78) = 1.0 / v4;
+W(79) = W(11) * W(52);
+} }
+
+APART void stretch11(lanes *restrict w)
+{ LANE_LOOP {
+W(51) = lane_cos(W(56));
+} }
+
+APART void stretch12(lanes *restrict w)
+{ LANE_LOOP {
+W(56) = W(44) * W(34);
+V(1) W(33) * W(56);
+V(2) W(13) * v1;
+V(3) W(36) * v2;
+W(47) = W(16) * W(56);
+W(80) = 0.5 * v3;
+W(81) = W(80) + W(47);
+V(7) W(11) * v3;
+V(8) W(11) * W(47);
+V(9) 0.5 * v7;
+W(82) = v9 + v8;
+V(11) W(11) * W(34);
+W(83) = v11 * W(44);
+V(13) W(33) * W(83);
+V(14) W(13) * v13;
+W(84) = W(36) * v14;
+W(85) = W(16) * W(83);
+V(17) 0.5 * W(84);
+W(86) = v17 + W(85);
+W(87) = W(11) * W(84);
+W(88) = W(11) * W(85);
+} }
+
+APART void stretch13(lanes *restrict w)
+{ LANE_LOOP {
+W(89) = W(8) * W(1);
+} }
+
+#if BY_PARAMETERS
+APART void stretch14(lanes *restrict w)
+{ LANE_LOOP {
+W(90) = W(35) * W(34);
+V(1) W(38) * W(37);
+W(91) = -v1;
+} }
+#endif
+
+APART void stretch15(lanes *restrict w)
+{ LANE_LOOP {
+W(35) = 0.5 * W(41);
+} }
+
+APART void stretch16(lanes *restrict w)
+{ LANE_LOOP {
+W(92) = lane_sin(W(68));
+W(93) = W(24) * W(92);
+W(94) = W(93) * W(17);
+W(95) = W(94) * W(30);
+W(96) = (-2.0) * W(95);
+W(97) = W(43) + W(96);
+W(98) = W(97) * W(37);
+} }
+
+APART void stretch17(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(58) * W(58);
+V(1) v0 + 1.0;
+W(43) = 1.0 / v1;
+V(3) W(59) * W(59);
+V(4) v3 + 1.0;
+W(99) = 1.0 / v4;
+V(6) W(62) * W(62);
+V(7) v6 + 1.0;
+W(100) = 1.0 / v7;
+V(9) W(66) * W(66);
+V(10) v9 + 1.0;
+W(101) = 1.0 / v10;
+} }
+
+APART void stretch18(lanes *restrict w)
+{ LANE_LOOP {
+W(66) = lane_cos(W(68));
+} }
+
+APART void stretch19(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(1) * W(12);
+W(68) = -v0;
+} }
+
+APART void stretch20(lanes *restrict w)
+{ LANE_LOOP {
+W(62) = W(68) + W(75);
+} }
+
+APART void stretch21(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(28) * W(45);
+V(1) W(31) * v0;
+V(2) W(22) * v0;
+V(3) v2 * W(77);
+V(4) W(25) * v3;
+V(5) v4 * W(32);
+V(6) v1 + v5;
+V(7) W(22) * v6;
+V(8) v7 * W(78);
+W(68) = W(23) * v8;
+W(102) = -W(54);
+V(11) W(28) * W(10);
+V(12) v11 * W(45);
+V(13) W(31) * v12;
+V(14) W(22) * v12;
+V(15) v14 * W(77);
+V(16) W(25) * v15;
+V(17) v16 * W(32);
+V(18) v13 + v17;
+V(19) W(22) * v18;
+V(20) v19 * W(78);
+W(103) = W(23) * v20;
+W(104) = -W(12);
+V(23) 0.5 * W(87);
+W(105) = v23 + W(88);
+W(106) = -W(70);
+W(107) = -W(79);
+} }
+
+APART void stretch22(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(51) * W(68);
+V(1) W(24) * v0;
+V(2) W(17) * v1;
+V(3) W(30) * v2;
+V(4) 2.0 * v3;
+V(5) W(81) + v4;
+V(6) v5 * W(37);
+W(108) = -v6;
+V(8) W(10) * v3;
+V(9) (-2.0) * v8;
+V(10) W(82) + v9;
+W(109) = v10 * W(52);
+V(12) W(51) * W(103);
+V(13) W(24) * v12;
+V(14) W(17) * v13;
+V(15) W(30) * v14;
+V(16) (-2.0) * v15;
+V(17) W(86) + v16;
+V(18) v17 * W(37);
+W(110) = W(104) + v18;
+V(20) W(10) * v15;
+V(21) 2.0 * v20;
+V(22) W(105) + v21;
+V(23) v22 * W(52);
+W(111) = -v23;
+} }
+
+#if BY_PARAMETERS
+APART void stretch23(lanes *restrict w)
+{ LANE_LOOP {
+W(105) = W(30) * W(37);
+W(104) = W(17) * W(105);
+W(103) = W(24) * W(104);
+W(68) = W(10) * W(52);
+W(112) = W(30) * W(68);
+W(113) = W(17) * W(112);
+W(114) = W(24) * W(113);
+V(7) W(16) * W(37);
+V(8) W(36) * W(37);
+V(9) W(13) * v8;
+V(10) W(33) * v9;
+V(11) 0.5 * v10;
+V(12) v7 + v11;
+V(13) v12 * W(44);
+V(14) v13 * W(34);
+W(115) = W(1) * v14;
+V(16) W(42) * W(52);
+V(17) W(7) * W(52);
+V(18) W(41) * W(52);
+V(19) W(16) * W(79);
+V(20) W(36) * W(79);
+V(21) W(13) * v20;
+V(22) W(33) * v21;
+V(23) 0.5 * v22;
+V(24) v19 + v23;
+V(25) v24 * W(44);
+V(26) v25 * W(34);
+V(27) W(1) * v26;
+V(28) -v17;
+V(29) -v27;
+V(30) v28 + v29;
+V(31) v30 + v16;
+V(32) 0.5 * v18;
+W(116) = v31 + v32;
+V(34) W(90) * v13;
+V(35) W(40) * W(37);
+V(36) W(12) * v35;
+W(117) = W(46) * W(45);
+V(38) -W(1);
+V(39) v38 + v34;
+V(40) -v36;
+W(118) = v39 + v40;
+V(42) W(40) * W(79);
+V(43) W(12) * v42;
+V(44) W(90) * v25;
+V(45) -v44;
+W(119) = v45 + v43;
+V(47) W(39) * v8;
+W(120) = (-0.5) * v47;
+V(49) W(39) * v20;
+W(121) = 0.5 * v49;
+V(51) W(38) * v9;
+V(52) W(15) * v51;
+W(122) = (-0.5) * v52;
+V(54) W(38) * v21;
+V(55) W(15) * v54;
+W(123) = 0.5 * v55;
+V(57) W(14) * v51;
+W(124) = (-0.5) * v57;
+V(59) W(14) * v54;
+W(125) = 0.5 * v59;
+W(126) = W(38) * W(79);
+W(127) = W(49) * W(32);
+} }
+#endif
+
+#if BY_PARAMETERS
+APART void stretch24(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(75) * W(37);
+W(79) = -v0;
+V(2) W(76) * W(52);
+W(49) = -v2;
+V(4) W(51) * W(103);
+V(5) W(23) * v4;
+V(6) v5 * W(78);
+V(7) W(25) * v6;
+V(8) v7 * W(77);
+V(9) W(22) * v8;
+V(10) W(22) * v6;
+V(11) W(31) * v10;
+V(12) (-2.0) * v9;
+V(13) (-2.0) * v11;
+V(14) v12 + v13;
+V(15) v14 * W(45);
+V(16) W(28) * v15;
+W(41) = W(1) * v16;
+V(18) W(51) * W(114);
+V(19) W(23) * v18;
+V(20) v19 * W(78);
+V(21) W(25) * v20;
+V(22) v21 * W(77);
+V(23) W(22) * v22;
+V(24) W(22) * v20;
+V(25) W(31) * v24;
+V(26) (-2.0) * v23;
+V(27) (-2.0) * v25;
+V(28) v26 + v27;
+V(29) v28 * W(45);
+V(30) W(28) * v29;
+V(31) W(1) * v30;
+V(32) W(74) * W(52);
+V(33) (-2.0) * v32;
+W(128) = v31 + v33;
+V(35) W(117) * v14;
+V(36) W(30) * v35;
+V(37) -v36;
+W(129) = W(118) + v37;
+V(39) W(117) * v28;
+V(40) W(30) * v39;
+V(41) -v40;
+W(130) = W(119) + v41;
+V(43) W(72) * W(105);
+V(44) W(73) * W(37);
+V(45) W(12) * v35;
+V(46) (-2.0) * v44;
+V(47) -v45;
+W(131) = v46 + v47;
+V(49) W(21) * W(131);
+W(132) = W(29) * v15;
+V(51) W(19) * W(132);
+V(52) (-2.0) * v43;
+V(53) v52 + v49;
+W(133) = v53 + v51;
+V(55) W(72) * W(112);
+V(56) W(73) * W(68);
+V(57) W(12) * v39;
+V(58) (-2.0) * v56;
+V(59) -v57;
+W(134) = v58 + v59;
+V(61) W(21) * W(134);
+W(135) = W(29) * v29;
+V(63) W(19) * W(135);
+V(64) (-2.0) * v55;
+V(65) v64 + v61;
+W(136) = v65 + v63;
+W(137) = W(17) * W(132);
+W(138) = W(17) * W(135);
+W(139) = W(17) * W(131);
+W(140) = W(17) * W(134);
+V(71) W(50) * v6;
+V(72) W(127) * v10;
+V(73) W(46) * v8;
+V(74) (-2.0) * v71;
+V(75) 2.0 * v72;
+V(76) v74 + v75;
+V(77) (-2.0) * v73;
+W(141) = v76 + v77;
+V(79) W(50) * v20;
+V(80) W(127) * v24;
+V(81) W(46) * v22;
+V(82) (-2.0) * v79;
+V(83) 2.0 * v80;
+V(84) v82 + v83;
+V(85) (-2.0) * v81;
+W(142) = v84 + v85;
+V(87) W(55) * v4;
+W(143) = (-2.0) * v87;
+V(89) W(55) * v18;
+W(144) = (-2.0) * v89;
+V(91) W(71) * W(104);
+W(145) = (-2.0) * v91;
+V(93) W(71) * W(113);
+W(146) = (-2.0) * v93;
+V(95) W(48) * v6;
+V(96) W(46) * v10;
+V(97) (-2.0) * v95;
+V(98) 2.0 * v96;
+W(147) = v97 + v98;
+V(100) W(48) * v20;
+V(101) W(46) * v24;
+V(102) (-2.0) * v100;
+V(103) 2.0 * v101;
+W(148) = v102 + v103;
+} }
+#endif
+
+APART void stretch25(lanes *restrict w)
+{ LANE_LOOP {
+W(127) = lane_atan(W(58));
+W(119) = lane_atan(W(59));
+V(2) W(89) * W(0);
+W(118) = -v2;
+W(117) = W(26) * W(8);
+} }
+
+APART void stretch26(lanes *restrict w)
+{ LANE_LOOP {
+W(114) = 2.0 * W(95);
+V(1) W(95) * W(10);
+V(2) (-2.0) * v1;
+W(113) = W(57) + v2;
+} }
+
+APART void stretch27(lanes *restrict w)
+{ LANE_LOOP {
+W(95) = W(43) * W(34);
+W(57) = W(99) * W(34);
+V(2) W(28) * W(34);
+V(3) v2 * W(60);
+V(4) W(31) * v3;
+V(5) W(22) * v3;
+V(6) v5 * W(100);
+V(7) W(25) * v6;
+V(8) v7 * W(32);
+V(9) v4 + v8;
+V(10) W(22) * v9;
+V(11) v10 * W(101);
+W(112) = W(23) * v11;
+W(68) = -W(89);
+V(14) W(10) * W(34);
+W(103) = v14 * W(43);
+W(104) = -W(83);
+V(17) W(28) * v14;
+V(18) v17 * W(60);
+V(19) W(31) * v18;
+V(20) W(22) * v18;
+V(21) v20 * W(100);
+V(22) W(25) * v21;
+V(23) v22 * W(32);
+V(24) v19 + v23;
+V(25) W(22) * v24;
+V(26) v25 * W(101);
+W(105) = W(23) * v26;
+W(51) = (-0.5) * W(84);
+W(78) = -W(85);
+V(30) (-0.5) * W(87);
+V(31) -W(88);
+W(77) = v30 + v31;
+V(33) W(0) * W(8);
+W(75) = -v33;
+W(74) = -W(11);
+} }
+
+APART void stretch28(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(66) * W(112);
+V(1) W(24) * v0;
+V(2) W(17) * v1;
+V(3) W(30) * v2;
+W(89) = 2.0 * v3;
+V(5) W(81) + W(89);
+V(6) v5 * W(37);
+W(88) = -v6;
+W(87) = -v5;
+V(9) W(10) * v3;
+V(10) (-2.0) * v9;
+W(85) = W(82) + v10;
+V(12) W(66) * W(105);
+V(13) W(24) * v12;
+V(14) W(17) * v13;
+V(15) W(30) * v14;
+W(84) = 2.0 * v15;
+V(17) (-2.0) * v15;
+W(83) = W(86) + v17;
+W(73) = W(83) * W(37);
+V(20) W(10) * v15;
+V(21) (-2.0) * v20;
+W(72) = W(77) + v21;
+} }
+
+#if BY_PARAMETERS
+APART void stretch29(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(0) * W(1);
+W(77) = -v0;
+V(2) W(1) * W(34);
+W(105) = v2 * W(43);
+V(4) W(28) * v2;
+V(5) v4 * W(60);
+V(6) W(31) * v5;
+V(7) W(22) * v5;
+V(8) v7 * W(100);
+V(9) W(25) * v8;
+V(10) v9 * W(32);
+V(11) v6 + v10;
+V(12) W(22) * v11;
+V(13) v12 * W(101);
+W(112) = W(23) * v13;
+V(15) v2 * W(44);
+W(86) = -v15;
+V(17) W(33) * v15;
+V(18) W(13) * v17;
+V(19) W(36) * v18;
+W(82) = (-0.5) * v19;
+V(21) W(16) * v15;
+W(81) = -v21;
+V(23) 0.5 * v19;
+W(71) = v23 + v21;
+W(55) = W(71) * W(37);
+V(26) W(11) * v19;
+V(27) W(11) * v21;
+V(28) -W(7);
+V(29) (-0.5) * v26;
+V(30) v28 + v29;
+V(31) -v27;
+V(32) v30 + v31;
+V(33) v32 + W(35);
+W(52) = v33 + W(42);
+V(35) W(58) * W(34);
+V(36) v35 * W(43);
+W(50) = -v36;
+V(38) W(90) * W(44);
+W(48) = -v38;
+V(40) W(59) * W(34);
+V(41) v40 * W(99);
+W(46) = -v41;
+V(43) W(28) * v35;
+V(44) v43 * W(60);
+V(45) W(31) * v44;
+V(46) W(22) * v44;
+V(47) v46 * W(100);
+V(48) W(25) * v47;
+V(49) v48 * W(32);
+V(50) v45 + v49;
+V(51) W(22) * v50;
+V(52) v51 * W(101);
+W(45) = W(23) * v52;
+V(54) W(40) * W(12);
+V(55) W(33) * v38;
+V(56) W(13) * v55;
+V(57) W(36) * v56;
+V(58) (-0.5) * v57;
+W(29) = v58 + v54;
+V(60) W(16) * v38;
+W(149) = -v60;
+V(62) -W(29);
+W(150) = v60 + v62;
+V(64) W(11) * W(29);
+V(65) W(11) * v60;
+V(66) -v65;
+W(151) = v66 + v64;
+V(68) W(36) * W(39);
+W(152) = 0.5 * v68;
+V(70) v68 * W(37);
+W(153) = (-0.5) * v70;
+W(154) = (-0.5) * v68;
+V(73) W(11) * v68;
+W(155) = 0.5 * v73;
+V(75) W(38) * W(15);
+V(76) W(13) * v75;
+V(77) W(36) * v76;
+W(156) = 0.5 * v77;
+V(79) v77 * W(37);
+W(157) = (-0.5) * v79;
+W(158) = (-0.5) * v77;
+V(82) W(11) * v77;
+W(159) = 0.5 * v82;
+V(84) W(38) * W(14);
+V(85) W(13) * v84;
+V(86) W(36) * v85;
+W(160) = 0.5 * v86;
+V(88) v86 * W(37);
+W(161) = (-0.5) * v88;
+W(162) = (-0.5) * v86;
+V(91) W(11) * v86;
+W(163) = 0.5 * v91;
+W(164) = -W(38);
+W(165) = W(11) * W(38);
+V(95) W(58) * W(19);
+V(96) v95 * W(60);
+V(97) W(61) * W(60);
+V(98) v97 * W(21);
+V(99) -v98;
+V(100) v96 + v99;
+V(101) W(31) * v100;
+V(102) W(22) * v100;
+V(103) v102 * W(100);
+V(104) W(25) * v103;
+V(105) v104 * W(32);
+V(106) v101 + v105;
+V(107) W(22) * v106;
+V(108) v107 * W(101);
+W(166) = W(23) * v108;
+V(110) W(58) * W(60);
+V(111) W(31) * v110;
+V(112) W(22) * v110;
+V(113) v112 * W(100);
+V(114) W(25) * v113;
+V(115) v114 * W(32);
+V(116) v111 + v115;
+V(117) W(22) * v116;
+V(118) v117 * W(101);
+W(167) = W(23) * v118;
+V(120) W(58) * W(17);
+V(121) v120 * W(60);
+V(122) W(31) * v121;
+V(123) W(22) * v121;
+V(124) v123 * W(100);
+V(125) W(25) * v124;
+V(126) v125 * W(32);
+V(127) v122 + v126;
+V(128) W(22) * v127;
+V(129) v128 * W(101);
+W(168) = W(23) * v129;
+V(131) W(31) * v97;
+V(132) W(22) * v97;
+V(133) v132 * W(100);
+V(134) W(25) * v133;
+V(135) v134 * W(32);
+V(136) v131 + v135;
+V(137) W(22) * v136;
+V(138) v137 * W(101);
+W(169) = W(23) * v138;
+V(140) v97 * W(17);
+V(141) W(31) * v140;
+V(142) W(22) * v140;
+V(143) v142 * W(100);
+V(144) W(25) * v143;
+V(145) v144 * W(32);
+V(146) v141 + v145;
+V(147) W(22) * v146;
+V(148) v147 * W(101);
+W(170) = W(23) * v148;
+V(150) W(61) * W(100);
+V(151) W(25) * v150;
+V(152) v151 * W(32);
+V(153) W(64) * W(32);
+V(154) -v153;
+V(155) v152 + v154;
+V(156) W(22) * v155;
+V(157) W(65) + v156;
+V(158) v157 * W(101);
+W(171) = W(23) * v158;
+V(160) W(63) * W(32);
+V(161) -W(61);
+V(162) v161 + v160;
+V(163) W(22) * v162;
+V(164) v163 * W(101);
+W(172) = W(23) * v164;
+} }
+#endif
+
+#if BY_PARAMETERS
+APART void stretch30(lanes *restrict w)
+{ LANE_LOOP {
+V(0) W(98) * W(37);
+W(101) = -v0;
+V(2) W(66) * W(112);
+V(3) W(24) * v2;
+V(4) W(17) * v3;
+V(5) W(30) * v4;
+W(100) = 2.0 * v5;
+V(7) v5 * W(37);
+W(99) = (-2.0) * v7;
+W(43) = (-2.0) * v5;
+V(10) W(10) * v5;
+V(11) (-2.0) * v10;
+W(90) = W(96) + v11;
+V(13) W(66) * W(45);
+V(14) W(24) * v13;
+V(15) W(17) * v14;
+V(16) W(30) * v15;
+W(65) = (-2.0) * v16;
+V(18) 2.0 * v16;
+W(64) = W(150) + v18;
+W(63) = W(64) * W(37);
+V(21) W(10) * v16;
+V(22) 2.0 * v21;
+W(61) = W(151) + v22;
+V(24) W(66) * W(166);
+V(25) W(24) * v24;
+V(26) W(17) * v25;
+V(27) W(93) + v26;
+V(28) W(30) * v27;
+V(29) W(94) * W(21);
+V(30) v28 + v29;
+W(60) = 2.0 * v30;
+V(32) v30 * W(37);
+W(59) = (-2.0) * v32;
+W(58) = (-2.0) * v30;
+V(35) W(10) * v30;
+W(44) = (-2.0) * v35;
+V(37) W(66) * W(167);
+V(38) W(24) * v37;
+V(39) W(17) * v38;
+V(40) W(30) * v39;
+W(40) = 2.0 * v40;
+V(42) v40 * W(37);
+W(39) = (-2.0) * v42;
+W(36) = (-2.0) * v40;
+V(45) W(10) * v40;
+W(34) = (-2.0) * v45;
+V(47) W(66) * W(168);
+V(48) W(24) * v47;
+V(49) W(17) * v48;
+V(50) W(30) * v49;
+W(33) = 2.0 * v50;
+V(52) v50 * W(37);
+W(32) = (-2.0) * v52;
+W(31) = (-2.0) * v50;
+V(55) W(10) * v50;
+W(28) = (-2.0) * v55;
+V(57) W(66) * W(169);
+V(58) W(24) * v57;
+V(59) W(17) * v58;
+V(60) W(30) * v59;
+V(61) -v60;
+V(62) W(94) + v61;
+W(173) = 2.0 * v62;
+V(64) v62 * W(37);
+W(174) = (-2.0) * v64;
+W(175) = (-2.0) * v62;
+V(67) W(10) * v62;
+W(176) = (-2.0) * v67;
+V(69) W(94) * W(17);
+V(70) W(66) * W(170);
+V(71) W(24) * v70;
+V(72) W(17) * v71;
+V(73) W(30) * v72;
+V(74) -v73;
+V(75) v69 + v74;
+W(177) = 2.0 * v75;
+V(77) v75 * W(37);
+W(178) = (-2.0) * v77;
+W(179) = (-2.0) * v75;
+V(80) W(10) * v75;
+W(180) = (-2.0) * v80;
+V(82) W(66) * W(171);
+V(83) W(24) * v82;
+V(84) W(17) * v83;
+V(85) W(30) * v84;
+W(181) = 2.0 * v85;
+V(87) v85 * W(37);
+W(182) = (-2.0) * v87;
+W(183) = (-2.0) * v85;
+V(90) W(10) * v85;
+W(184) = (-2.0) * v90;
+V(92) W(66) * W(67);
+V(93) W(24) * v92;
+V(94) W(17) * v93;
+V(95) W(30) * v94;
+W(185) = 2.0 * v95;
+V(97) v95 * W(37);
+W(186) = (-2.0) * v97;
+W(187) = (-2.0) * v95;
+V(100) W(10) * v95;
+W(188) = (-2.0) * v100;
+V(102) W(17) * W(92);
+V(103) W(30) * v102;
+W(189) = 2.0 * v103;
+V(105) v103 * W(37);
+W(190) = (-2.0) * v105;
+W(191) = (-2.0) * v103;
+V(108) W(10) * v103;
+W(192) = (-2.0) * v108;
+V(110) W(66) * W(172);
+V(111) W(24) * v110;
+V(112) W(17) * v111;
+V(113) W(30) * v112;
+W(193) = 2.0 * v113;
+V(115) v113 * W(37);
+W(194) = (-2.0) * v115;
+W(195) = (-2.0) * v113;
+V(118) W(10) * v113;
+W(196) = (-2.0) * v118;
+} }
+#endif
+
+static void constants(lanes *w)
+{
+    LANE_LOOP W(27) = 0.0;
+    LANE_LOOP W(197) = 1.0;
+}
+
+static void evaluate(lanes *w, int asked)
+{
+    if (asked & 63) stretch0(w);
+    if (asked & 45) stretch1(w);
+    if (asked & 54) stretch2(w);
+    if (asked & 7) stretch3(w);
+    if (asked & 7) stretch4(w);
+    if (asked & 13) stretch5(w);
+    if (asked & 56) stretch6(w);
+    if (asked & 56) stretch7(w);
+    if (asked & 3) stretch8(w);
+    if (asked & 5) stretch9(w);
+    if (asked & 6) stretch10(w);
+    if (asked & 6) stretch11(w);
+    if (asked & 18) stretch12(w);
+    if (asked & 24) stretch13(w);
+    #if BY_PARAMETERS
+    if (asked & 36) stretch14(w);
+    #endif
+    if (asked & 40) stretch15(w);
+    if (asked & 40) stretch16(w);
+    if (asked & 48) stretch17(w);
+    if (asked & 48) stretch18(w);
+    if (asked & 1) stretch19(w);
+    if (asked & 1) stretch20(w);
+    if (asked & 2) stretch21(w);
+    if (asked & 2) stretch22(w);
+    #if BY_PARAMETERS
+    if (asked & 4) stretch23(w);
+    #endif
+    #if BY_PARAMETERS
+    if (asked & 4) stretch24(w);
+    #endif
+    if (asked & 8) stretch25(w);
+    if (asked & 8) stretch26(w);
+    if (asked & 16) stretch27(w);
+    if (asked & 16) stretch28(w);
+    #if BY_PARAMETERS
+    if (asked & 32) stretch29(w);
+    #endif
+    #if BY_PARAMETERS
+    if (asked & 32) stretch30(w);
+    #endif
+}
+
+
+/* Which parts of the results are asked for, one bit each. */
+static int parts(const points_t *job)
+{
+    int found = 0;
+    for (int64_t j = 0; j < job->n_wanted; ++j)
+        for (int64_t k = 0; k < job->wanted[j].size; ++k)
+            for (int r = 0; r < N_RESULTS; ++r)
+                if (job->wanted[j].element[k] >= FIRST[r] && job->wanted[j].element[k] < FIRST[r + 1])
+                    found |= PART[r];
+    return found;
+}
+
+/* Points `from` to `end`, no more than there are lanes: unused lanes repeat the last. */
+static void some(const points_t *job, int asked, lanes *w, int64_t from, int64_t end)
 {
     const int count = (int)(end - from);
-    for (int k = 0; k < f->n_in; ++k) {
-        const int64_t stride = job->stride[f->in[k]];
-        const double *column = job->in[f->in[k]] + stride * from;
+    for (int k = 0; k < N_IN; ++k) {
+        const int64_t stride = job->stride[k];
+        const double *column = job->given[k] + stride * from;
         for (int l = 0; l < LANES && stride; ++l)
-            w[1 + k][l] = column[l < count ? l : count - 1];
+            w[k][l] = column[l < count ? l : count - 1];
     }
-    f->run(w);
-    for (int r = 0, e = 0; r < f->n_out; e += f->size[r++]) {
-        double *out = job->out[r];
-        if (!out)
-            continue;
-        out += from * f->size[r];
-        for (int k = 0; k < f->size[r]; ++k)
+    evaluate(w, asked);
+    for (int64_t j = 0; j < job->n_wanted; ++j) {
+        const wanted_t *wanted = job->wanted + j;
+        double *out = wanted->data + from * wanted->size;
+        for (int64_t k = 0; k < wanted->size; ++k)
             for (int l = 0; l < count; ++l)
-                out[l * f->size[r] + k] = w[f->place[e + k]][l];
+                out[l * wanted->size + k] = w[PLACE[wanted->element[k]]][l];
     }
 }
 
-static void all(const function_t *f, const points_t *job)
+SHOWN void points(const points_t *job)
 {
     const int64_t blocks = (job->n + LANES - 1) / LANES;
+    const int asked = parts(job);
 #pragma omp parallel num_threads((int)job->threads) if (job->threads > 1)
     {
-        lanes w[f->rows] __attribute__((aligned(64)));
-        for (int l = 0; l < LANES; ++l)
-            w[0][l] = 0.0;
-        for (int k = 0; k < f->n_in; ++k)
+        lanes w[N_ROWS] __attribute__((aligned(64)));
+        constants(w);
+        for (int k = 0; k < N_IN; ++k)
             for (int l = 0; l < LANES; ++l)
-                w[1 + k][l] = *job->in[f->in[k]];
+                w[k][l] = *job->given[k];
 #pragma omp for schedule(static)
         for (int64_t b = 0; b < blocks; ++b) {
-            const int64_t from = b * LANES, left = job->n - from;
-            some(f, job, w, from, left < LANES ? job->n : from + LANES);
+            const int64_t from = b * LANES, end = from + LANES;
+            some(job, asked, w, from, end < job->n ? end : job->n);
         }
     }
 }
-
-APART void nonlinear_rhs_0(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r16 = w[16][l];
-        const double r14 = w[14][l];
-        const double v0 = r16 * r14;
-        const double r7 = w[7][l];
-        const double r2 = w[2][l];
-        const double v1 = r7 * r2;
-        const double r15 = w[15][l];
-        const double v2 = r15 + v0;
-        const double r1 = w[1][l];
-        const double v3 = r1 + v1;
-        const double v4 = v2 * v3;
-        const double r18 = w[18][l];
-        const double v5 = r18 * r14;
-        const double r17 = w[17][l];
-        const double v6 = r17 + v5;
-        const double r9 = w[9][l];
-        const double v7 = v6 * r9;
-        const double v8 = 1.0 / v7;
-        const double v9 = v4 * v8;
-        const double r22 = w[22][l];
-        const double v10 = -r22;
-        const double v11 = v10 + 1.0;
-        const double v12 = v9 * v11;
-        const double r19 = w[19][l];
-        const double v13 = r19 * v9;
-        const double v14 = lane_atan(v13);
-        const double v15 = r22 * v14;
-        const double v16 = 1.0 / r19;
-        const double v17 = v15 * v16;
-        const double v18 = v12 + v17;
-        const double v19 = r19 * v18;
-        const double r11 = w[11][l];
-        const double r12 = w[12][l];
-        const double v20 = r11 * r12;
-        const double r8 = w[8][l];
-        const double v21 = r8 * r2;
-        const double v22 = 1.0 / r9;
-        const double v23 = -v21;
-        const double v24 = r1 + v23;
-        const double v25 = v24 * v22;
-        const double v26 = lane_atan(v25);
-        const double v27 = v20 * v26;
-        const double r10 = w[10][l];
-        const double v28 = v27 * r10;
-        const double v29 = r9 * r9;
-        const double v30 = v28 * v29;
-        const double r13 = w[13][l];
-        const double v31 = r13 * v26;
-        const double r5 = w[5][l];
-        const double v32 = 1.0 / r5;
-        const double v33 = (-0.5) * v30;
-        const double r4 = w[4][l];
-        const double v34 = r4 + v33;
-        const double v35 = -v31;
-        const double v36 = v34 + v35;
-        const double v37 = r2 * r9;
-        const double v38 = -v37;
-        const double v39 = v30 * r8;
-        const double v40 = r4 * r8;
-        const double v41 = v31 * r8;
-        const double r6 = w[6][l];
-        const double v42 = 1.0 / r6;
-        const double v43 = -v40;
-        const double v44 = 0.5 * v39;
-        const double v45 = v43 + v44;
-        const double v46 = v45 + v41;
-        const double r3 = w[3][l];
-        const double v47 = lane_cos(r3);
-        const double v48 = r9 * v47;
-        const double v49 = lane_sin(r3);
-        const double v50 = r1 * v49;
-        const double v51 = -v50;
-        const double v52 = v48 + v51;
-        const double v53 = r9 * v49;
-        const double v54 = r1 * v47;
-        const double v55 = v53 + v54;
-        w[23][l] = v6;
-        w[24][l] = v19;
-        w[25][l] = v32;
-        w[26][l] = v36;
-        w[27][l] = v38;
-        w[28][l] = v42;
-        w[29][l] = v46;
-        w[30][l] = v52;
-        w[31][l] = v55;
-    }
-}
-
-APART void nonlinear_rhs_1(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r24 = w[24][l];
-        const double v0 = lane_atan(r24);
-        const double r20 = w[20][l];
-        const double v1 = r20 * v0;
-        w[32][l] = v1;
-    }
-}
-
-APART void nonlinear_rhs_2(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r32 = w[32][l];
-        const double v0 = lane_sin(r32);
-        const double r21 = w[21][l];
-        const double v1 = r21 * v0;
-        const double r14 = w[14][l];
-        const double v2 = v1 * r14;
-        const double r23 = w[23][l];
-        const double v3 = v2 * r23;
-        const double v4 = (-2.0) * v3;
-        const double r26 = w[26][l];
-        const double v5 = r26 + v4;
-        const double r25 = w[25][l];
-        const double v6 = v5 * r25;
-        const double r27 = w[27][l];
-        const double v7 = r27 + v6;
-        const double r7 = w[7][l];
-        const double v8 = v3 * r7;
-        const double v9 = (-2.0) * v8;
-        const double r29 = w[29][l];
-        const double v10 = r29 + v9;
-        const double r28 = w[28][l];
-        const double v11 = v10 * r28;
-        w[24][l] = v7;
-        w[33][l] = v11;
-    }
-}
-
-static void nonlinear_rhs_run(lanes *restrict w)
-{
-    nonlinear_rhs_0(w);
-    nonlinear_rhs_1(w);
-    nonlinear_rhs_2(w);
-}
-
-static const int16_t nonlinear_rhs_in[] = { 0, 1, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25 };
-static const int16_t nonlinear_rhs_size[] = { 7 };
-static const int16_t nonlinear_rhs_place[] = { 24, 33, 1, 2, 30, 31, 2 };
-static const function_t nonlinear_rhs_f = { 22, 1, 34, nonlinear_rhs_in, nonlinear_rhs_size, nonlinear_rhs_place, nonlinear_rhs_run };
-SHOWN void nonlinear_rhs(const points_t *job) { all(&nonlinear_rhs_f, job); }
-
-APART void nonlinear_outputs_0(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r5 = w[5][l];
-        const double r2 = w[2][l];
-        const double v0 = r5 * r2;
-        const double r7 = w[7][l];
-        const double v1 = 1.0 / r7;
-        const double r1 = w[1][l];
-        const double v2 = r1 + v0;
-        const double v3 = v2 * v1;
-        const double v4 = lane_atan(v3);
-        const double r6 = w[6][l];
-        const double v5 = r6 * r2;
-        const double v6 = -v5;
-        const double v7 = r1 + v6;
-        const double v8 = v7 * v1;
-        const double v9 = lane_atan(v8);
-        const double v10 = r1 * v1;
-        const double v11 = lane_atan(v10);
-        const double r14 = w[14][l];
-        const double r12 = w[12][l];
-        const double v12 = r14 * r12;
-        const double r13 = w[13][l];
-        const double v13 = r13 + v12;
-        const double v14 = v13 * v3;
-        const double r16 = w[16][l];
-        const double v15 = r16 * r12;
-        const double r15 = w[15][l];
-        const double v16 = r15 + v15;
-        const double v17 = 1.0 / v16;
-        const double v18 = v14 * v17;
-        const double r20 = w[20][l];
-        const double v19 = -r20;
-        const double v20 = v19 + 1.0;
-        const double v21 = v18 * v20;
-        const double r17 = w[17][l];
-        const double v22 = r17 * v18;
-        const double v23 = lane_atan(v22);
-        const double v24 = r20 * v23;
-        const double v25 = 1.0 / r17;
-        const double v26 = v24 * v25;
-        const double v27 = v21 + v26;
-        const double v28 = r17 * v27;
-        const double r9 = w[9][l];
-        const double r10 = w[10][l];
-        const double v29 = r9 * r10;
-        const double v30 = v29 * v9;
-        const double r8 = w[8][l];
-        const double v31 = v30 * r8;
-        const double v32 = r7 * r7;
-        const double v33 = v31 * v32;
-        const double v34 = 0.5 * v33;
-        const double r11 = w[11][l];
-        const double v35 = r11 * v9;
-        const double v36 = (-0.5) * v33;
-        const double r3 = w[3][l];
-        const double v37 = r3 + v36;
-        const double v38 = -v35;
-        const double v39 = v37 + v38;
-        const double r4 = w[4][l];
-        const double v40 = 1.0 / r4;
-        const double v41 = v33 * r6;
-        const double v42 = r3 * r6;
-        const double v43 = v35 * r6;
-        const double v44 = -v42;
-        const double v45 = 0.5 * v41;
-        const double v46 = v44 + v45;
-        const double v47 = v46 + v43;
-        const double v48 = r4 * r2;
-        const double v49 = v48 * r1;
-        const double v50 = -v49;
-        const double r21 = w[21][l];
-        const double v51 = r21 * r4;
-        w[22][l] = v4;
-        w[23][l] = v9;
-        w[24][l] = v11;
-        w[25][l] = v16;
-        w[26][l] = v28;
-        w[27][l] = v34;
-        w[28][l] = v35;
-        w[29][l] = v39;
-        w[30][l] = v40;
-        w[31][l] = v47;
-        w[32][l] = v50;
-        w[33][l] = v51;
-    }
-}
-
-APART void nonlinear_outputs_1(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r26 = w[26][l];
-        const double v0 = lane_atan(r26);
-        const double r18 = w[18][l];
-        const double v1 = r18 * v0;
-        w[34][l] = v1;
-    }
-}
-
-APART void nonlinear_outputs_2(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r34 = w[34][l];
-        const double v0 = lane_sin(r34);
-        const double r19 = w[19][l];
-        const double v1 = r19 * v0;
-        const double r12 = w[12][l];
-        const double v2 = v1 * r12;
-        const double r25 = w[25][l];
-        const double v3 = v2 * r25;
-        const double v4 = 2.0 * v3;
-        const double v5 = (-2.0) * v3;
-        const double r29 = w[29][l];
-        const double v6 = r29 + v5;
-        const double r30 = w[30][l];
-        const double v7 = v6 * r30;
-        const double r5 = w[5][l];
-        const double v8 = v3 * r5;
-        const double v9 = (-2.0) * v8;
-        const double r31 = w[31][l];
-        const double v10 = r31 + v9;
-        w[26][l] = v4;
-        w[35][l] = v6;
-        w[36][l] = v7;
-        w[37][l] = v10;
-    }
-}
-
-static void nonlinear_outputs_run(lanes *restrict w)
-{
-    nonlinear_outputs_0(w);
-    nonlinear_outputs_1(w);
-    nonlinear_outputs_2(w);
-}
-
-static const int16_t nonlinear_outputs_in[] = { 0, 1, 7, 8, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26 };
-static const int16_t nonlinear_outputs_size[] = { 11 };
-static const int16_t nonlinear_outputs_place[] = { 22, 23, 24, 26, 27, 28, 36, 35, 37, 32, 33 };
-static const function_t nonlinear_outputs_f = { 21, 1, 38, nonlinear_outputs_in, nonlinear_outputs_size, nonlinear_outputs_place, nonlinear_outputs_run };
-SHOWN void nonlinear_outputs(const points_t *job) { all(&nonlinear_outputs_f, job); }
-
-APART void nonlinear_linearized_0(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r17 = w[17][l];
-        const double r13 = w[13][l];
-        const double v0 = r17 * r13;
-        const double r16 = w[16][l];
-        const double v1 = r16 + v0;
-        const double r15 = w[15][l];
-        const double v2 = r15 * r13;
-        const double r14 = w[14][l];
-        const double v3 = r14 + v2;
-        const double r6 = w[6][l];
-        const double r2 = w[2][l];
-        const double v4 = r6 * r2;
-        const double r1 = w[1][l];
-        const double v5 = r1 + v4;
-        const double v6 = v3 * v5;
-        const double r8 = w[8][l];
-        const double v7 = v1 * r8;
-        const double v8 = 1.0 / v7;
-        const double v9 = v6 * v8;
-        const double r21 = w[21][l];
-        const double v10 = -r21;
-        const double v11 = v10 + 1.0;
-        const double v12 = v9 * v11;
-        const double r18 = w[18][l];
-        const double v13 = r18 * v9;
-        const double v14 = lane_atan(v13);
-        const double v15 = r21 * v14;
-        const double v16 = 1.0 / r18;
-        const double v17 = v15 * v16;
-        const double v18 = v12 + v17;
-        const double v19 = r18 * v18;
-        const double v20 = v3 * v8;
-        const double v21 = v11 * v20;
-        const double v22 = r18 * v20;
-        const double v23 = v13 * v13;
-        const double v24 = v23 + 1.0;
-        const double v25 = 1.0 / v24;
-        const double v26 = v22 * v25;
-        const double v27 = r21 * v26;
-        const double v28 = v27 * v16;
-        const double v29 = v21 + v28;
-        const double v30 = r18 * v29;
-        const double v31 = v19 * v19;
-        const double v32 = v31 + 1.0;
-        const double v33 = 1.0 / v32;
-        const double v34 = v30 * v33;
-        const double r19 = w[19][l];
-        const double v35 = r19 * v34;
-        const double v36 = r8 * r8;
-        const double r10 = w[10][l];
-        const double r11 = w[11][l];
-        const double v37 = r10 * r11;
-        const double r7 = w[7][l];
-        const double v38 = r7 * r2;
-        const double v39 = 1.0 / r8;
-        const double v40 = -v38;
-        const double v41 = r1 + v40;
-        const double v42 = v41 * v39;
-        const double v43 = v42 * v42;
-        const double v44 = v43 + 1.0;
-        const double v45 = 1.0 / v44;
-        const double v46 = v45 * v39;
-        const double v47 = v37 * v46;
-        const double r9 = w[9][l];
-        const double v48 = r9 * v47;
-        const double v49 = v36 * v48;
-        const double r12 = w[12][l];
-        const double v50 = r12 * v46;
-        const double r4 = w[4][l];
-        const double v51 = 1.0 / r4;
-        const double v52 = 0.5 * v49;
-        const double v53 = v52 + v50;
-        const double v54 = r7 * v49;
-        const double v55 = r7 * v50;
-        const double r5 = w[5][l];
-        const double v56 = 1.0 / r5;
-        const double v57 = 0.5 * v54;
-        const double v58 = v57 + v55;
-        const double v59 = r7 * v39;
-        const double v60 = v59 * v45;
-        const double v61 = v37 * v60;
-        const double v62 = r9 * v61;
-        const double v63 = v36 * v62;
-        const double v64 = v3 * r6;
-        const double v65 = v64 * v8;
-        const double v66 = v11 * v65;
-        const double v67 = r18 * v65;
-        const double v68 = v67 * v25;
-        const double v69 = r21 * v68;
-        const double v70 = v69 * v16;
-        const double v71 = v66 + v70;
-        const double v72 = r18 * v71;
-        const double v73 = v72 * v33;
-        const double v74 = r19 * v73;
-        const double v75 = r12 * v60;
-        const double v76 = 0.5 * v63;
-        const double v77 = v76 + v75;
-        const double v78 = -r8;
-        const double v79 = r7 * v63;
-        const double v80 = r7 * v75;
-        const double v81 = 0.5 * v79;
-        const double v82 = v81 + v80;
-        const double v83 = r7 * v56;
-        const double v84 = -v83;
-        const double v85 = v5 * v39;
-        const double v86 = v85 * v85;
-        const double v87 = v86 + 1.0;
-        const double v88 = 1.0 / v87;
-        const double v89 = v88 * v39;
-        const double v90 = r1 * v39;
-        const double v91 = v90 * v90;
-        const double v92 = v91 + 1.0;
-        const double v93 = 1.0 / v92;
-        const double v94 = v93 * v39;
-        const double v95 = v3 * v85;
-        const double v96 = 1.0 / v1;
-        const double v97 = v95 * v96;
-        const double v98 = v97 * v11;
-        const double v99 = r18 * v97;
-        const double v100 = lane_atan(v99);
-        const double v101 = r21 * v100;
-        const double v102 = v101 * v16;
-        const double v103 = v98 + v102;
-        const double v104 = r18 * v103;
-        const double v105 = v3 * v39;
-        const double v106 = v105 * v96;
-        const double v107 = v11 * v106;
-        const double v108 = r18 * v106;
-        const double v109 = v99 * v99;
-        const double v110 = v109 + 1.0;
-        const double v111 = 1.0 / v110;
-        const double v112 = v108 * v111;
-        const double v113 = r21 * v112;
-        const double v114 = v113 * v16;
-        const double v115 = v107 + v114;
-        const double v116 = r18 * v115;
-        const double v117 = v104 * v104;
-        const double v118 = v117 + 1.0;
-        const double v119 = 1.0 / v118;
-        const double v120 = v116 * v119;
-        const double v121 = r19 * v120;
-        const double v122 = r4 * r2;
-        const double v123 = -v122;
-        const double v124 = r6 * v39;
-        const double v125 = v124 * v88;
-        const double v126 = -v60;
-        const double v127 = v3 * v124;
-        const double v128 = v127 * v96;
-        const double v129 = v11 * v128;
-        const double v130 = r18 * v128;
-        const double v131 = v130 * v111;
-        const double v132 = r21 * v131;
-        const double v133 = v132 * v16;
-        const double v134 = v129 + v133;
-        const double v135 = r18 * v134;
-        const double v136 = v135 * v119;
-        const double v137 = r19 * v136;
-        const double v138 = (-0.5) * v63;
-        const double v139 = -v75;
-        const double v140 = (-0.5) * v79;
-        const double v141 = -v80;
-        const double v142 = v140 + v141;
-        const double v143 = r1 * r4;
-        const double v144 = -v143;
-        const double v145 = -r7;
-        const double v146 = lane_atan(v42);
-        const double v147 = v37 * v146;
-        const double v148 = v147 * r9;
-        const double v149 = v148 * v36;
-        const double v150 = r12 * v146;
-        const double v151 = (-0.5) * v149;
-        const double r3 = w[3][l];
-        const double v152 = r3 + v151;
-        const double v153 = -v150;
-        const double v154 = v152 + v153;
-        const double v155 = r2 * r8;
-        const double v156 = -v155;
-        const double v157 = v149 * r7;
-        const double v158 = r3 * r7;
-        const double v159 = v150 * r7;
-        const double v160 = -v158;
-        const double v161 = 0.5 * v157;
-        const double v162 = v160 + v161;
-        const double v163 = v162 + v159;
-        const double v164 = lane_atan(v85);
-        const double v165 = lane_atan(v90);
-        const double v166 = 0.5 * v149;
-        const double v167 = v122 * r1;
-        const double v168 = -v167;
-        const double r22 = w[22][l];
-        const double v169 = r22 * r4;
-        w[23][l] = v1;
-        w[24][l] = v19;
-        w[25][l] = v35;
-        w[26][l] = v46;
-        w[27][l] = v50;
-        w[28][l] = v51;
-        w[29][l] = v52;
-        w[30][l] = v53;
-        w[31][l] = v56;
-        w[32][l] = v58;
-        w[33][l] = v74;
-        w[34][l] = v77;
-        w[35][l] = v78;
-        w[36][l] = v82;
-        w[37][l] = v84;
-        w[38][l] = v89;
-        w[39][l] = v94;
-        w[40][l] = v104;
-        w[41][l] = v121;
-        w[42][l] = v123;
-        w[43][l] = v125;
-        w[44][l] = v126;
-        w[45][l] = v137;
-        w[46][l] = v138;
-        w[47][l] = v139;
-        w[48][l] = v142;
-        w[49][l] = v144;
-        w[50][l] = v145;
-        w[51][l] = v146;
-        w[52][l] = v150;
-        w[53][l] = v154;
-        w[54][l] = v156;
-        w[55][l] = v163;
-        w[56][l] = v164;
-        w[57][l] = v165;
-        w[58][l] = v166;
-        w[59][l] = v168;
-        w[60][l] = v169;
-    }
-}
-
-APART void nonlinear_linearized_1(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r24 = w[24][l];
-        const double v0 = lane_atan(r24);
-        const double r19 = w[19][l];
-        const double v1 = r19 * v0;
-        const double r40 = w[40][l];
-        const double v2 = lane_atan(r40);
-        const double v3 = r19 * v2;
-        w[61][l] = v1;
-        w[62][l] = v3;
-    }
-}
-
-APART void nonlinear_linearized_2(lanes *restrict w)
-{
-    LANE_LOOP {
-        const double r61 = w[61][l];
-        const double v0 = lane_cos(r61);
-        const double r25 = w[25][l];
-        const double v1 = v0 * r25;
-        const double r20 = w[20][l];
-        const double v2 = r20 * v1;
-        const double r13 = w[13][l];
-        const double v3 = r13 * v2;
-        const double r23 = w[23][l];
-        const double v4 = r23 * v3;
-        const double v5 = 2.0 * v4;
-        const double r30 = w[30][l];
-        const double v6 = r30 + v5;
-        const double r28 = w[28][l];
-        const double v7 = v6 * r28;
-        const double v8 = -v7;
-        const double r6 = w[6][l];
-        const double v9 = r6 * v4;
-        const double v10 = (-2.0) * v9;
-        const double r32 = w[32][l];
-        const double v11 = r32 + v10;
-        const double r31 = w[31][l];
-        const double v12 = v11 * r31;
-        const double r33 = w[33][l];
-        const double v13 = v0 * r33;
-        const double v14 = r20 * v13;
-        const double v15 = r13 * v14;
-        const double v16 = r23 * v15;
-        const double v17 = (-2.0) * v16;
-        const double r34 = w[34][l];
-        const double v18 = r34 + v17;
-        const double v19 = v18 * r28;
-        const double r35 = w[35][l];
-        const double v20 = r35 + v19;
-        const double v21 = r6 * v16;
-        const double v22 = 2.0 * v21;
-        const double r36 = w[36][l];
-        const double v23 = r36 + v22;
-        const double v24 = v23 * r31;
-        const double v25 = -v24;
-        const double r62 = w[62][l];
-        const double v26 = lane_cos(r62);
-        const double r41 = w[41][l];
-        const double v27 = v26 * r41;
-        const double v28 = r20 * v27;
-        const double v29 = r13 * v28;
-        const double v30 = r23 * v29;
-        const double v31 = 2.0 * v30;
-        const double v32 = r30 + v31;
-        const double v33 = v32 * r28;
-        const double v34 = -v33;
-        const double v35 = -v32;
-        const double v36 = r6 * v30;
-        const double v37 = (-2.0) * v36;
-        const double v38 = r32 + v37;
-        const double r45 = w[45][l];
-        const double v39 = v26 * r45;
-        const double v40 = r20 * v39;
-        const double v41 = r13 * v40;
-        const double v42 = r23 * v41;
-        const double v43 = 2.0 * v42;
-        const double v44 = (-2.0) * v42;
-        const double v45 = r34 + v44;
-        const double v46 = v45 * r28;
-        const double v47 = r6 * v42;
-        const double v48 = (-2.0) * v47;
-        const double r48 = w[48][l];
-        const double v49 = r48 + v48;
-        const double v50 = lane_sin(r61);
-        const double v51 = r20 * v50;
-        const double v52 = v51 * r13;
-        const double v53 = v52 * r23;
-        const double v54 = (-2.0) * v53;
-        const double r53 = w[53][l];
-        const double v55 = r53 + v54;
-        const double v56 = v55 * r28;
-        const double r54 = w[54][l];
-        const double v57 = r54 + v56;
-        const double v58 = v53 * r6;
-        const double v59 = (-2.0) * v58;
-        const double r55 = w[55][l];
-        const double v60 = r55 + v59;
-        const double v61 = v60 * r31;
-        const double v62 = lane_sin(r62);
-        const double v63 = r20 * v62;
-        const double v64 = v63 * r13;
-        const double v65 = v64 * r23;
-        const double v66 = 2.0 * v65;
-        const double v67 = (-2.0) * v65;
-        const double v68 = r53 + v67;
-        const double v69 = v68 * r28;
-        const double v70 = v65 * r6;
-        const double v71 = (-2.0) * v70;
-        const double v72 = r55 + v71;
-        w[40][l] = v8;
-        w[24][l] = v12;
-        w[63][l] = v20;
-        w[64][l] = v25;
-        w[65][l] = v31;
-        w[66][l] = v34;
-        w[67][l] = v35;
-        w[68][l] = v38;
-        w[69][l] = v43;
-        w[70][l] = v45;
-        w[71][l] = v46;
-        w[72][l] = v49;
-        w[73][l] = v57;
-        w[74][l] = v61;
-        w[75][l] = v66;
-        w[76][l] = v68;
-        w[77][l] = v69;
-        w[78][l] = v72;
-    }
-}
-
-static void nonlinear_linearized_run(lanes *restrict w)
-{
-    nonlinear_linearized_0(w);
-    nonlinear_linearized_1(w);
-    nonlinear_linearized_2(w);
-    LANE_LOOP w[79][l] = 1.0;
-}
-
-static const int16_t nonlinear_linearized_in[] = { 0, 1, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26 };
-static const int16_t nonlinear_linearized_size[] = { 4, 2, 22, 11, 2, 11 };
-static const int16_t nonlinear_linearized_place[] = { 40, 63, 24, 64, 28, 37, 38, 43, 26, 44, 39, 0, 65, 69, 29, 46, 27, 47, 66, 71, 67, 70, 68, 72, 42, 49, 0, 0, 0, 0, 0, 0, 0, 0, 28, 79, 50, 0, 0, 73, 74, 56, 51, 57, 75, 58, 52, 77, 76, 78, 59, 60 };
-static const function_t nonlinear_linearized_f = { 22, 6, 80, nonlinear_linearized_in, nonlinear_linearized_size, nonlinear_linearized_place, nonlinear_linearized_run };
-SHOWN void nonlinear_linearized(const points_t *job) { all(&nonlinear_linearized_f, job); }
-
