@@ -22,7 +22,7 @@ from .names import MODELS, QUANTITIES, symbol
 from .parameters import NotGivenError
 from .stability import speed_window
 from .units import from_si, parts, to_si
-from .validity import extrapolated
+from .validity import assumed, extrapolated
 
 #: Results of `placement_limits` that describe an aircraft at rest: of which gear, from what.
 _LIMITS = {
@@ -30,6 +30,9 @@ _LIMITS = {
     "nose_over": (("taildragger",), ("x_main", "x_cg", "h_cg")),
     "tip_back": (("tricycle",), ("x_main", "x_cg", "h_cg")),
 }
+
+#: Functions that describe a main tire at its load, and what each gives.
+_COEFFICIENTS = {"tire_coefficient": "C_c", "tire_friction": "mu", "relative_deflection": "e_z"}
 
 #: From how large a relative difference on a note says that a value overrides what would follow.
 _OVERRIDES = 0.01
@@ -123,7 +126,13 @@ def check(plane: Aircraft) -> Check:
             *_unusual(plane, known),
             *extrapolated(plane),
         ),
-        notes=(*_table_wanted(plane), *_bare(plane), *_overrides(plane), *_stability(plane)),
+        notes=(
+            *_table_wanted(plane),
+            *_bare(plane),
+            *_overrides(plane),
+            *assumed(plane),
+            *_stability(plane),
+        ),
     )
 
 
@@ -145,8 +154,8 @@ def _is_estimate(plane: Aircraft, s: str) -> bool:
 
 
 def _coefficients(plane: Aircraft) -> Iterator[Known]:
-    """Cornering coefficient and friction of a main tire at its load, as far as they follow."""
-    for name, s in (("tire_coefficient", "C_c"), ("tire_friction", "mu")):
+    """What is usual of a main tire at its load, as far as it follows."""
+    for name, s in _COEFFICIENTS.items():
         symbols, _ = names_of(name)
         if all(n in plane for n in symbols):
             q, values = QUANTITIES[s], elementwise(name, {n: plane[n] for n in symbols})

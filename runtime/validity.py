@@ -22,6 +22,10 @@ _SLACK = 0.02
 _NEAR = 0.15
 
 
+#: Loads within this ratio are one.
+_ONE_LOAD = 1.15
+#: Share of friction by which a peak beyond the data is worth telling, and angles to seek it at.
+_BEYOND, _ANGLES = 0.02, 500
 #: Slip angles and loads of main tires in results, by symbol.
 _SLIP_ANGLES = ("alpha", "alpha_left", "alpha_right")
 _WHEEL_LOADS = ("Fz_left", "Fz_right")
@@ -74,6 +78,28 @@ def extrapolated(plane: Aircraft, slip: Any = None, loads: Any = None) -> tuple[
         Empty if there is nothing to tell, or nothing known of what was measured.
     """
     return (*_loads(plane, loads), *_slip(plane, slip))
+
+
+def assumed(plane: Aircraft) -> Iterator[str]:
+    """What the data of the main tires do not say, and was taken for it, in words."""
+    if not all(s in plane for s in (*_needed(), "E1", "alpha_high", "Fz_low", "Fz_high")):
+        return
+    low, high, last = (plane[s] for s in ("Fz_low", "Fz_high", "alpha_high"))
+    if (high < _ONE_LOAD * low).all():
+        yield (
+            f"the main tires were measured at {_range(low)} N only: that their cornering"
+            " coefficient and friction are the same at every load is an assumption"
+        )
+    angles = np.linspace(0.0, 1.0, _ANGLES)
+    tire = {s: plane[s][..., None] for s in names_of("tire_force")[0] if s != "alpha"}
+    ends = last[..., None] + angles * (np.pi / 2 - last[..., None])
+    F = elementwise("tire_force", {**tire, "alpha": ends})["F_y"] / tire["Fz"]
+    reached, friction = F[..., 0], F.max(axis=-1)
+    if (reached < (1 - _BEYOND) * friction).any():
+        yield (
+            f"the largest friction of the main tires, {_range(friction)}, is extrapolated: at"
+            f" {_range(np.degrees(last))} deg, where the data end, it is {_range(reached)}"
+        )
 
 
 def extrapolated_in(plane: Aircraft, values: Mapping[str, FloatArray]) -> tuple[str, ...]:

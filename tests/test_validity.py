@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,9 @@ from groundroll.validity import extrapolated, extrapolated_in
 BROTT = gr.Aircraft.load("brott-physical")
 HEAVY = BROTT.replace(mass="3000 kg")
 BEYOND = BROTT.replace(mass="1400 kg")
+
+CASES = Path(__file__).parent / "data" / "tires"
+SOFT = {"d_tire": "17.5 in", "w_tire": "6.3 in", "C_z": 0.03, "C_N": 63.0}
 
 CALLS: dict[str, Callable[[gr.Aircraft], Any]] = {
     "linearize": lambda p: gr.linearize(p),
@@ -141,6 +145,22 @@ class TestTold:
         assert extrapolated(BEYOND.replace(**nothing), slip=np.array([1.0])) == ()
 
 
+class TestAssumed:
+    def test_a_peak_beyond_the_data(self) -> None:
+        notes = check(gr.Aircraft.load("cessna-170")).notes
+        told = "the largest friction of the main tires, 0.74474, is extrapolated: at 20 deg, where"
+        assert any(note.startswith(told) for note in notes)
+
+    def test_a_single_load(self) -> None:
+        one = gr.fit_tire(CASES / "one_load.csv").parameters
+        notes = check(BROTT.replace(**one)).notes
+        assert any("were measured at 2000 N only" in note for note in notes)
+
+    def test_nothing_where_nothing_was_measured(self) -> None:
+        nothing = {"Fz_low": None, "Fz_high": None, "alpha_high": None}
+        assert not any("main tires" in note for note in check(BROTT.replace(**nothing)).notes)
+
+
 class TestPlausible:
     @pytest.mark.parametrize(
         ("changes", "words"),
@@ -149,6 +169,7 @@ class TestPlausible:
             ({"B5": 0.05, "C5": 0.0}, "friction_coefficient is 0.05"),
             ({"B3": 60.0, "C3": 0.0}, "cornering_coefficient is 60 1/rad; usual is 0.015 1/deg"),
             ({"B3": 0.2, "C3": 0.0}, "cornering_coefficient is 0.2 1/rad"),
+            ({**SOFT, "p_tire": "8 psi"}, "deflection_over_diameter is 0.1"),
             ({"p_tire": 42.0}, "tire_pressure is 42 N/m^2; usual is 5 psi to 300 psi"),
         ],
     )

@@ -137,3 +137,8 @@ def outside_diameter() -> Chain:
     The 5.00-5 has 0.89, the 6.00-6 0.96.
     """
     return (Equation(d_tire, d_rim + 2 * _number("0.92") * w_tire, "two tires of type III"),)
+
+
+def relative_deflection() -> Chain:
+    """What says whether a tire is overloaded or soft."""
+    return (Equation(e_z, delta_tire / d_tire, "definition"),)
