@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 16fcbd70c3aaec0e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest fec720d683d29661) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """The tire by itself (Chapter 3)."""
 
 from functools import cache
@@ -264,6 +264,31 @@ def mf_lateral() -> ca.Function:
         [F_mf],
         ["alpha", "Fz", "FNOMIN", "tangent", "PCY1", "PDY1", "PDY2", "PEY1", "PEY2", "PEY3", "PKY1", "PKY2", "PKY4", "PHY1", "PHY2", "PVY1", "PVY2", "LFZO", "LCY", "LMUY", "LEY", "LKY", "LHY", "LVY"],
         ["F_mf"],
+    )
+
+
+@cache
+def relative_deflection() -> ca.Function:
+    """Deflection of a tire over its diameter.
+
+    Inputs
+    ------
+    delta_tire : scalar [m], static deflection of a main tire
+    d_tire : scalar [m], outside diameter of a main tire
+
+    Outputs
+    -------
+    e_z : 1 x 1, deflection over diameter [1]
+    """
+    delta_tire = ca.SX.sym("delta_tire")
+    d_tire = ca.SX.sym("d_tire")
+    e_z = delta_tire/d_tire  # definition
+    return ca.Function(
+        "relative_deflection",
+        [delta_tire, d_tire],
+        [e_z],
+        ["delta_tire", "d_tire"],
+        ["e_z"],
     )
 
 

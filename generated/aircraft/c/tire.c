@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest 16fcbd70c3aaec0e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest fec720d683d29661) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
   #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
@@ -54,6 +54,10 @@
 #define casadi_f38 CASADI_PREFIX(f38)
 #define casadi_f39 CASADI_PREFIX(f39)
 #define casadi_f4 CASADI_PREFIX(f4)
+#define casadi_f40 CASADI_PREFIX(f40)
+#define casadi_f41 CASADI_PREFIX(f41)
+#define casadi_f42 CASADI_PREFIX(f42)
+#define casadi_f43 CASADI_PREFIX(f43)
 #define casadi_f5 CASADI_PREFIX(f5)
 #define casadi_f6 CASADI_PREFIX(f6)
 #define casadi_f7 CASADI_PREFIX(f7)
@@ -4853,8 +4857,405 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_mf_lateral_work_bytes(casadi_int *sz_arg, cas
   return 0;
 }
 
-/* outside_diameter:(d_rim,w_tire)->(d_tire) */
+/* relative_deflection:(delta_tire,d_tire)->(e_z) */
 static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1;
+  a0=arg[0]? arg[0][0] : 0;
+  a1=arg[1]? arg[1][0] : 0;
+  a0=(a0/a1);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int relative_deflection(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f24(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int relative_deflection_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void relative_deflection_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void relative_deflection_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void relative_deflection_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int relative_deflection_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int relative_deflection_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real relative_deflection_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* relative_deflection_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "delta_tire";
+    case 1: return "d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* relative_deflection_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "e_z";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* relative_deflection_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* relative_deflection_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int relative_deflection_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int relative_deflection_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 2*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_relative_deflection:(delta_tire,d_tire,out_e_z[1x1,0nz],fwd_delta_tire,fwd_d_tire)->(fwd_e_z) */
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[1]? arg[1][0] : 0;
+  a0=(a0/a1);
+  a2=arg[0]? arg[0][0] : 0;
+  a2=(a2/a1);
+  a2=(a2/a1);
+  a1=arg[4]? arg[4][0] : 0;
+  a2=(a2*a1);
+  a0=(a0-a2);
+  if (res[0]!=0) res[0][0]=a0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_relative_deflection(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f25(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_relative_deflection_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_relative_deflection_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_relative_deflection_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_relative_deflection_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_relative_deflection_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_relative_deflection_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_relative_deflection_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_relative_deflection_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "delta_tire";
+    case 1: return "d_tire";
+    case 2: return "out_e_z";
+    case 3: return "fwd_delta_tire";
+    case 4: return "fwd_d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_relative_deflection_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_e_z";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_relative_deflection_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_relative_deflection_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_relative_deflection_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 1;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_relative_deflection_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 1*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* adj1_relative_deflection:(delta_tire,d_tire,out_e_z[1x1,0nz],adj_e_z)->(adj_delta_tire,adj_d_tire) */
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2;
+  a0=arg[3]? arg[3][0] : 0;
+  a1=arg[1]? arg[1][0] : 0;
+  a2=(a0/a1);
+  if (res[0]!=0) res[0][0]=a2;
+  a2=arg[0]? arg[0][0] : 0;
+  a2=(a2/a1);
+  a2=(a2/a1);
+  a2=(a2*a0);
+  a2=(-a2);
+  if (res[1]!=0) res[1][0]=a2;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_relative_deflection(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f26(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int adj1_relative_deflection_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void adj1_relative_deflection_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_relative_deflection_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void adj1_relative_deflection_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_relative_deflection_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int adj1_relative_deflection_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real adj1_relative_deflection_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_relative_deflection_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "delta_tire";
+    case 1: return "d_tire";
+    case 2: return "out_e_z";
+    case 3: return "adj_e_z";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* adj1_relative_deflection_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "adj_delta_tire";
+    case 1: return "adj_d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_relative_deflection_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* adj1_relative_deflection_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_relative_deflection_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int adj1_relative_deflection_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* fwd1_adj1_relative_deflection:(delta_tire,d_tire,out_e_z[1x1,0nz],adj_e_z,out_adj_delta_tire[1x1,0nz],out_adj_d_tire[1x1,0nz],fwd_delta_tire,fwd_d_tire,fwd_out_e_z[1x1,0nz],fwd_adj_e_z)->(fwd_adj_delta_tire,fwd_adj_d_tire) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6;
+  a0=arg[9]? arg[9][0] : 0;
+  a1=arg[1]? arg[1][0] : 0;
+  a2=(a0/a1);
+  a3=arg[3]? arg[3][0] : 0;
+  a4=(a3/a1);
+  a4=(a4/a1);
+  a5=arg[7]? arg[7][0] : 0;
+  a4=(a4*a5);
+  a2=(a2-a4);
+  if (res[0]!=0) res[0][0]=a2;
+  a2=arg[6]? arg[6][0] : 0;
+  a2=(a2/a1);
+  a4=arg[0]? arg[0][0] : 0;
+  a4=(a4/a1);
+  a6=(a4/a1);
+  a6=(a6*a5);
+  a2=(a2-a6);
+  a2=(a2/a1);
+  a4=(a4/a1);
+  a1=(a4/a1);
+  a1=(a1*a5);
+  a2=(a2-a1);
+  a3=(a3*a2);
+  a4=(a4*a0);
+  a3=(a3+a4);
+  a3=(-a3);
+  if (res[1]!=0) res[1][0]=a3;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_relative_deflection(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f27(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_relative_deflection_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_relative_deflection_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_relative_deflection_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void fwd1_adj1_relative_deflection_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_relative_deflection_n_in(void) { return 10;}
+
+CASADI_SYMBOL_EXPORT casadi_int fwd1_adj1_relative_deflection_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real fwd1_adj1_relative_deflection_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_relative_deflection_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "delta_tire";
+    case 1: return "d_tire";
+    case 2: return "out_e_z";
+    case 3: return "adj_e_z";
+    case 4: return "out_adj_delta_tire";
+    case 5: return "out_adj_d_tire";
+    case 6: return "fwd_delta_tire";
+    case 7: return "fwd_d_tire";
+    case 8: return "fwd_out_e_z";
+    case 9: return "fwd_adj_e_z";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* fwd1_adj1_relative_deflection_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "fwd_adj_delta_tire";
+    case 1: return "fwd_adj_d_tire";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_relative_deflection_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    case 2: return casadi_s1;
+    case 3: return casadi_s0;
+    case 4: return casadi_s1;
+    case 5: return casadi_s1;
+    case 6: return casadi_s0;
+    case 7: return casadi_s0;
+    case 8: return casadi_s1;
+    case 9: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* fwd1_adj1_relative_deflection_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s0;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_relative_deflection_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int fwd1_adj1_relative_deflection_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* outside_diameter:(d_rim,w_tire)->(d_tire) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[0]? arg[0][0] : 0;
   a1=1.8400000000000001e+00;
@@ -4866,7 +5267,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f28(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int outside_diameter_checkout(void) {
@@ -4939,7 +5340,7 @@ CASADI_SYMBOL_EXPORT int outside_diameter_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* fwd1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],fwd_d_rim,fwd_w_tire)->(fwd_d_tire) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[3]? arg[3][0] : 0;
   a1=1.8400000000000001e+00;
@@ -4951,7 +5352,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f25(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_outside_diameter_checkout(void) {
@@ -5030,7 +5431,7 @@ CASADI_SYMBOL_EXPORT int fwd1_outside_diameter_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* adj1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],adj_d_tire)->(adj_d_rim,adj_w_tire) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[3]? arg[3][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -5041,7 +5442,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f26(arg, res, iw, w, mem);
+  return casadi_f30(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_outside_diameter_checkout(void) {
@@ -5120,7 +5521,7 @@ CASADI_SYMBOL_EXPORT int adj1_outside_diameter_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_adj1_outside_diameter:(d_rim,w_tire,out_d_tire[1x1,0nz],adj_d_tire,out_adj_d_rim[1x1,0nz],out_adj_w_tire[1x1,0nz],fwd_d_rim,fwd_w_tire,fwd_out_d_tire[1x1,0nz],fwd_adj_d_tire)->(fwd_adj_d_rim,fwd_adj_w_tire) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[9]? arg[9][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -5131,7 +5532,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f31(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter_checkout(void) {
@@ -5222,7 +5623,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_outside_diameter_work_bytes(casadi_int *sz_ar
 }
 
 /* magic_formula:(alpha_bar,B1,C1,D1,E1)->(F_bar) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[2]? arg[2][0] : 0;
@@ -5247,7 +5648,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int magic_formula_checkout(void) {
@@ -5326,7 +5727,7 @@ CASADI_SYMBOL_EXPORT int magic_formula_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* fwd1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1)->(fwd_F_bar) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18;
   a00=arg[2]? arg[2][0] : 0;
@@ -5387,7 +5788,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f33(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_magic_formula_checkout(void) {
@@ -5478,7 +5879,7 @@ CASADI_SYMBOL_EXPORT int fwd1_magic_formula_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar)->(adj_alpha_bar,adj_B1,adj_C1,adj_D1,adj_E1) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15;
   a00=arg[1]? arg[1][0] : 0;
@@ -5534,7 +5935,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f30(arg, res, iw, w, mem);
+  return casadi_f34(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_magic_formula_checkout(void) {
@@ -5625,7 +6026,7 @@ CASADI_SYMBOL_EXPORT int adj1_magic_formula_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* fwd1_adj1_magic_formula:(alpha_bar,B1,C1,D1,E1,out_F_bar[1x1,0nz],adj_F_bar,out_adj_alpha_bar[1x1,0nz],out_adj_B1[1x1,0nz],out_adj_C1[1x1,0nz],out_adj_D1[1x1,0nz],out_adj_E1[1x1,0nz],fwd_alpha_bar,fwd_B1,fwd_C1,fwd_D1,fwd_E1,fwd_out_F_bar[1x1,0nz],fwd_adj_F_bar)->(fwd_adj_alpha_bar,fwd_adj_B1,fwd_adj_C1,fwd_adj_D1,fwd_adj_E1) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -5767,7 +6168,7 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f31(arg, res, iw, w, mem);
+  return casadi_f35(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_checkout(void) {
@@ -5882,7 +6283,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_magic_formula_work_bytes(casadi_int *sz_arg, 
 }
 
 /* measured_coefficients:(alpha,F_y,F_peak,Fz)->(C_c,mu) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[3]? arg[3][0] : 0;
@@ -5897,7 +6298,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f36(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int measured_coefficients_checkout(void) {
@@ -5976,7 +6377,7 @@ CASADI_SYMBOL_EXPORT int measured_coefficients_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* fwd1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz)->(fwd_C_c,fwd_mu) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[7]? arg[7][0] : 0;
   a1=arg[3]? arg[3][0] : 0;
@@ -6006,7 +6407,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f33(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_checkout(void) {
@@ -6097,7 +6498,7 @@ CASADI_SYMBOL_EXPORT int fwd1_measured_coefficients_work_bytes(casadi_int *sz_ar
 }
 
 /* adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu)->(adj_alpha,adj_F_y,adj_F_peak,adj_Fz) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[1]? arg[1][0] : 0;
@@ -6127,7 +6528,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f34(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_checkout(void) {
@@ -6218,7 +6619,7 @@ CASADI_SYMBOL_EXPORT int adj1_measured_coefficients_work_bytes(casadi_int *sz_ar
 }
 
 /* fwd1_adj1_measured_coefficients:(alpha,F_y,F_peak,Fz,out_C_c[1x1,0nz],out_mu[1x1,0nz],adj_C_c,adj_mu,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_F_peak[1x1,0nz],out_adj_Fz[1x1,0nz],fwd_alpha,fwd_F_y,fwd_F_peak,fwd_Fz,fwd_out_C_c[1x1,0nz],fwd_out_mu[1x1,0nz],fwd_adj_C_c,fwd_adj_mu)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_F_peak,fwd_adj_Fz) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12;
   a00=arg[1]? arg[1][0] : 0;
@@ -6291,7 +6692,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f35(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_checkout(void) {
@@ -6406,7 +6807,7 @@ CASADI_SYMBOL_EXPORT int fwd1_adj1_measured_coefficients_work_bytes(casadi_int *
 }
 
 /* normalised_data:(alpha,F_y,Fz,C_c,mu)->(alpha_bar,F_bar) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -6424,7 +6825,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f40(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int normalised_data_checkout(void) {
@@ -6505,7 +6906,7 @@ CASADI_SYMBOL_EXPORT int normalised_data_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* fwd1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu)->(fwd_alpha_bar,fwd_F_bar) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[0]? arg[0][0] : 0;
   a1=tan(a0);
@@ -6545,7 +6946,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f41(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_normalised_data_checkout(void) {
@@ -6640,7 +7041,7 @@ CASADI_SYMBOL_EXPORT int fwd1_normalised_data_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar)->(adj_alpha,adj_F_y,adj_Fz,adj_C_c,adj_mu) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
   a0=arg[3]? arg[3][0] : 0;
   a1=arg[7]? arg[7][0] : 0;
@@ -6679,7 +7080,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f38(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int adj1_normalised_data_checkout(void) {
@@ -6774,7 +7175,7 @@ CASADI_SYMBOL_EXPORT int adj1_normalised_data_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* fwd1_adj1_normalised_data:(alpha,F_y,Fz,C_c,mu,out_alpha_bar[1x1,0nz],out_F_bar[1x1,0nz],adj_alpha_bar,adj_F_bar,out_adj_alpha[1x1,0nz],out_adj_F_y[1x1,0nz],out_adj_Fz[1x1,0nz],out_adj_C_c[1x1,0nz],out_adj_mu[1x1,0nz],fwd_alpha,fwd_F_y,fwd_Fz,fwd_C_c,fwd_mu,fwd_out_alpha_bar[1x1,0nz],fwd_out_F_bar[1x1,0nz],fwd_adj_alpha_bar,fwd_adj_F_bar)->(fwd_adj_alpha,fwd_adj_F_y,fwd_adj_Fz,fwd_adj_C_c,fwd_adj_mu) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20;
   a00=arg[7]? arg[7][0] : 0;
@@ -6876,7 +7277,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f43(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int fwd1_adj1_normalised_data_checkout(void) {
