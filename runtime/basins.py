@@ -18,11 +18,11 @@ from .kicks import check_tire, kick
 from .listing import Pictured
 from .models import as_model
 from .names import PARAMETERS, symbol
-from .plots import INK, style
+from .plots import INK, legend_above, plain, style
 from .progress import Progress, counted
 from .records import Column, Record, measured
 from .results import Result
-from .units import from_si
+from .shown import UnitsLike, as_units
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,7 +35,6 @@ _STARTS = {
 }
 #: One colour for each fate, from light to dark in grey print too.
 _SHADES = ("#EEF3F7", "#B84A00", "#7FB3DA", "#F0C987", "#333333")
-_SHOWN = {"rad/s": "deg/s", "rad": "deg"}
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -74,13 +73,15 @@ class Basin(Pictured, Result):
         """Share of the points that straighten out."""
         return float(np.mean(self.fate == 0))
 
-    def plot(self, ax: Axes | None = None) -> Axes:
+    def plot(self, ax: Axes | None = None, *, units: UnitsLike = None) -> Axes:
         """Draw the fates, light where the aircraft straightens out.
 
         Parameters
         ----------
         ax : Axes, optional
             Where; a new figure if omitted.
+        units : str or mapping of str to str, optional
+            See `groundroll.shown.as_units`; by the names of the axes.
         """
         from matplotlib import pyplot
         from matplotlib.colors import ListedColormap
@@ -89,7 +90,9 @@ class Basin(Pictured, Result):
         with style():
             if ax is None:
                 _, ax = pyplot.subplots(figsize=(5.2, 4.2))
-            x, y = (_shown(n, v) for n, v in ((self.x_name, self.x), (self.y_name, self.y)))
+            of_x, of_y = _quantity(self.x_name), _quantity(self.y_name)
+            shown = as_units(units, {self.x_name: of_x, self.y_name: of_y}, self.aircraft)
+            x, y = shown.values(of_x, self.x), shown.values(of_y, self.y)
             ax.pcolormesh(
                 x,
                 y,
@@ -102,12 +105,11 @@ class Basin(Pictured, Result):
             present = np.unique(self.fate).tolist()
             if 0 < self.share < 1:
                 ax.contour(x, y, (self.fate == 0) * 1.0, levels=[0.5], colors=INK, linewidths=0.9)
-            patches = [Patch(facecolor=_SHADES[k], edgecolor=INK, linewidth=0.5) for k in present]
-            names = [FATES[k] for k in present]
-            corner: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
-            ax.legend(patches, names, ncols=2, borderaxespad=0.3, **corner)
-            ax.set_xlabel(_label(self.x_name))
-            ax.set_ylabel(_label(self.y_name))
+            look: Any = {"edgecolor": INK, "linewidth": 0.5}
+            patches = [Patch(facecolor=_SHADES[k], label=FATES[k], **look) for k in present]
+            legend_above(ax, f"{plain(self.aircraft.name)}, nonlinear model", patches, 2)
+            ax.set_xlabel(shown.label(of_x, _before(self.x_name)))
+            ax.set_ylabel(shown.label(of_y, _before(self.y_name)))
             ax.grid(False)
         return ax
 
@@ -245,12 +247,6 @@ def _quantity(axis: str) -> Quantity:
     return _STARTS[axis] if axis in _STARTS else PARAMETERS[axis]
 
 
-def _shown(name: str, values: FloatArray) -> FloatArray:
-    unit = _quantity(name).unit
-    return values * from_si(1.0, unit, _SHOWN[unit]) if unit in _SHOWN else values
-
-
-def _label(name: str) -> str:
-    q = _quantity(name)
-    words = {"v0": "initial ", "r0": "initial "}.get(name, "") + q.name.replace("_", " ")
-    return f"{words} ${q.latex}$ ({_SHOWN.get(q.unit, q.unit)})"
+def _before(axis: str) -> str:
+    """What is to be said before the name of an axis."""
+    return "initial " if axis in ("v0", "r0") else ""

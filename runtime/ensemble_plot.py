@@ -10,10 +10,10 @@ import numpy as np
 from .arrays import FloatArray
 from .ensemble_result import Ensemble
 from .generated import Quantity
-from .models import as_model
+from .models import as_model, symbol_of
 from .names import PARAMETERS
-from .plots import COLOURS, INK, axis_label, in_shown_unit, style
-from .units import from_si
+from .plots import COLOURS, INK, style, titled, whose
+from .shown import Units, UnitsLike, as_units
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,7 +26,7 @@ def plot_over(
     ens: Ensemble,
     of: str,
     axes: Mapping[str, FloatArray],
-    units: Mapping[str, str] | None = None,
+    units: UnitsLike = None,
     ax: Axes | None = None,
 ) -> Axes:
     """Draw the largest magnitude of a quantity over the first one or two axes of a grid.
@@ -42,33 +42,37 @@ def plot_over(
         One of its extremes.
     axes : dict of str to array
         Parameters, ``disturbance`` or initial states (``v0``) and their values.
-    units : mapping of str to str, optional
-        Units for the axes, where others than usual are wanted.
+    units : str or mapping of str to str, optional
+        See `groundroll.shown.as_units`; of what varies by the names of `axes`.
     ax : Axes, optional
         Where; a new figure if omitted.
     """
-    values = worst(ens, of, min(len(axes), 2))
+    shown = _units(ens, units)
+    values = worst(ens, of, min(len(axes), 2), shown)
     names = list(axes)[:2]
-    units = units or {}
-    grid = [_shown(varied(ens, name)[0], axes[name], units.get(name)) for name in names]
+    along = [varied(ens, name) for name in names]
+    grid = [shown.values(q, axes[name]) for name, (q, _) in zip(names, along, strict=True)]
     with style():
         ax = _axes(ax)
         limit = ens.limits.get(of)
-        mark = None if limit is None else float(in_shown_unit(_of(ens, of), np.asarray(limit)))
+        q = _of(ens, of)
+        mark = None if limit is None else float(shown.values(q, limit))
+        title = f"largest {shown.label(q)}"
         if len(names) == 1:
             ax.plot(grid[0], values, color=COLOURS[0])
-            ax.set_ylabel(_title(_of(ens, of)))
+            ax.set_ylabel(title)
             if mark is not None:
                 ax.axhline(mark, color=INK, linewidth=0.9, linestyle="--")
             ax.set_xlim(grid[0][0], grid[0][-1])
         else:
-            _field(ax, grid[0], grid[1], values.T, mark, _title(_of(ens, of)))
-            ax.set_ylabel(_label(*varied(ens, names[1]), units.get(names[1])))
-        ax.set_xlabel(_label(*varied(ens, names[0]), units.get(names[0])))
+            _field(ax, grid[0], grid[1], values.T, mark, title)
+            ax.set_ylabel(shown.label(*along[1]))
+        ax.set_xlabel(shown.label(*along[0]))
+        titled(ax, whose(ens))
     return ax
 
 
-def plot_spread(ens: Ensemble, of: str, ax: Axes | None = None) -> Axes:
+def plot_spread(ens: Ensemble, of: str, ax: Axes | None = None, units: UnitsLike = None) -> Axes:
     """Draw how the largest magnitude of a quantity is spread over the trajectories.
 
     Parameters
@@ -79,8 +83,11 @@ def plot_spread(ens: Ensemble, of: str, ax: Axes | None = None) -> Axes:
         One of its extremes.
     ax : Axes, optional
         Where; a new figure if omitted.
+    units : str or mapping of str to str, optional
+        See `groundroll.shown.as_units`.
     """
-    values = in_shown_unit(_of(ens, of), ens.largest[of]).reshape(-1)
+    q, shown = _of(ens, of), _units(ens, units)
+    values = shown.values(q, ens.largest[of]).reshape(-1)
     good = values[np.isfinite(values)]
     with style():
         ax = _axes(ax)
@@ -95,19 +102,20 @@ def plot_spread(ens: Ensemble, of: str, ax: Axes | None = None) -> Axes:
         )
         limit = ens.limits.get(of)
         if limit is not None:
-            mark = float(in_shown_unit(_of(ens, of), np.asarray(limit)))
+            mark = float(shown.values(q, limit))
             ax.axvline(mark, color=INK, linewidth=0.9, linestyle="--")
         if good.size:
             half, most = np.percentile(good, (50, 99))
-            ax.set_title(f"half are below {half:.3g}, 99 % below {most:.3g}")
-        ax.set_xlabel(_title(_of(ens, of)))
+            spread = f"half are below {half:.3g}, 99 % below {most:.3g}"
+            titled(ax, f"{whose(ens)}: {spread}")
+        ax.set_xlabel(f"largest {shown.label(q)}")
         ax.set_ylabel("share of the trajectories (%)")
     return ax
 
 
-def worst(ens: Ensemble, of: str, axes: int) -> FloatArray:
+def worst(ens: Ensemble, of: str, axes: int, units: Units) -> FloatArray:
     """The largest magnitude over the first axes, in the shown unit; NaN where none is known."""
-    values = in_shown_unit(_of(ens, of), ens.largest[of])
+    values = units.values(_of(ens, of), ens.largest[of])
     rest = tuple(range(axes, values.ndim))
     return np.asarray(np.fmax.reduce(values, axis=rest)) if rest else values
 
@@ -143,8 +151,13 @@ def _axes(ax: Axes | None) -> Axes:
     return pyplot.subplots(figsize=(5.6, 4.2))[1]
 
 
-def _title(q: Quantity) -> str:
-    return f"largest {axis_label(q)}"
+def _units(ens: Ensemble, units: UnitsLike) -> Units:
+    """What was asked for; of an initial state by its symbol and a zero too."""
+    known = as_model(ens.model).quantities
+    if isinstance(units, Mapping):
+        known = {**PARAMETERS, **known}
+        units = {varied(ens, s)[0].symbol: unit for s, unit in units.items()}
+    return as_units(units, known, ens.aircraft)
 
 
 def _of(ens: Ensemble, name: str) -> Quantity:
@@ -158,15 +171,6 @@ def varied(ens: Ensemble, name: str) -> tuple[Quantity, str]:
     if name in q:
         return q[name], ""
     state = name.removesuffix("0")
-    return (q[state], "initial ") if state in q else (PARAMETERS[name], "")
-
-
-def _shown(q: Quantity, values: FloatArray, unit: str | None) -> FloatArray:
-    return values * from_si(1.0, q.unit, unit) if unit else in_shown_unit(q, values)
-
-
-def _label(q: Quantity, before: str, unit: str | None) -> str:
-    words = axis_label(q)
-    if unit:
-        words = f"{q.name.replace('_', ' ')} ${q.latex}$ ({unit})"
-    return f"{before}{words}"
+    if state in q:
+        return q[state], "initial "
+    return PARAMETERS[symbol_of(PARAMETERS, name, "name", PARAMETERS, "the axes")], ""

@@ -11,14 +11,13 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 
-from .aircraft import Aircraft, parameter_symbols
+from .aircraft import Aircraft
 from .arrays import FloatArray, finite
 from .errors import GroundrollError
-from .generated import Quantity
 from .names import PARAMETERS, symbol
-from .plots import COLOURS, INK, MUTED, style
+from .plots import COLOURS, INK, MUTED, legend_above, plain, style
+from .shown import Units, UnitsLike, as_units
 from .stability import quantity_of
-from .units import from_si
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -45,18 +44,19 @@ def draw(
     chart: StabilityMap,
     ax: Axes | None,
     levels: Any,
-    units: Mapping[str, str],
+    units: UnitsLike,
     marks: Mapping[str, Aircraft],
     ranges: Mapping[str, tuple[Any, Any]],
 ) -> Axes:
     """Draw a map; see `groundroll.maps.StabilityMap.plot`."""
-    shown = _Units(chart, units)
+    shown = _units(chart, units)
     with style():
         if ax is None:
             from matplotlib import pyplot
 
             _, ax = pyplot.subplots(figsize=(6.6, 4.4))
-        x, y = shown.of(chart.x_name, chart.x), shown.of(chart.y_name, chart.y)
+        of_x, of_y = PARAMETERS[chart.x_name], PARAMETERS[chart.y_name]
+        x, y = shown.values(of_x, chart.x), shown.values(of_y, chart.y)
         ax.grid(visible=False)
         ax.set_xlim(x[0], x[-1])
         ax.set_ylim(y[0], y[-1])
@@ -66,50 +66,26 @@ def draw(
             *_hatch(ax, chart, ranges, shown),
             *_mark(ax, chart, marks, shown),
         ]
-        ax.set_xlabel(shown.label(chart.x_name))
-        ax.set_ylabel(shown.label(chart.y_name))
-        if handles:
-            corner: dict[str, Any] = {
-                "loc": "lower left",
-                "bbox_to_anchor": (0.0, 1.0),
-                "borderaxespad": 0.3,
-            }
-            ax.legend(handles=handles, ncols=3, **corner)
+        ax.set_xlabel(shown.label(of_x))
+        ax.set_ylabel(shown.label(of_y))
+        legend_above(ax, f"{plain(chart.aircraft.name)}, linear model", handles)
     return ax
 
 
-class _Units:
-    """Values and labels in the units that people asked for."""
-
-    def __init__(self, chart: StabilityMap, units: Mapping[str, str]) -> None:
-        self._units = {}
-        for name, unit in units.items():
-            if name == chart.of:
-                self._units[chart.of] = unit
-            else:
-                self._units[symbol(name, "parameter", parameter_symbols(), "units")] = unit
-
-    def of(self, name: str, values: FloatArray) -> FloatArray:
-        """Values of a parameter in its shown unit."""
-        return values * self.factor(name, PARAMETERS[name].unit)
-
-    def factor(self, name: str, unit: str) -> float:
-        """From the SI unit to the shown one."""
-        return from_si(1.0, unit, self._units[name]) if name in self._units else 1.0
-
-    def label(self, name: str, quantity: Quantity | None = None) -> str:
-        """Name, symbol and shown unit."""
-        q = quantity or PARAMETERS[name]
-        words = (name if quantity else q.name).replace("_", " ")
-        unit = self._units.get(name, q.unit).replace("^2", "²")
-        return f"{words} ${q.latex}$" + ("" if unit == "1" else f" ({unit})")
+def _units(chart: StabilityMap, units: UnitsLike) -> Units:
+    """What was asked for; of what is mapped by its name as a margin too."""
+    q = quantity_of(chart.of)
+    if isinstance(units, Mapping):
+        units = {q.symbol if name == chart.of else name: unit for name, unit in units.items()}
+    return as_units(units, {**PARAMETERS, q.symbol: q}, chart.aircraft)
 
 
 def _fill(
-    ax: Axes, chart: StabilityMap, x: FloatArray, y: FloatArray, shown: _Units, levels: Any
+    ax: Axes, chart: StabilityMap, x: FloatArray, y: FloatArray, shown: Units, levels: Any
 ) -> None:
     """Filled contours with labelled lines and a colour bar."""
-    values = chart.values * shown.factor(chart.of, chart.unit)
+    of = quantity_of(chart.of)
+    values = shown.values(of, chart.values)
     finite_values = np.ma.masked_invalid(values)
     chosen = _levels(finite_values) if levels is None else finite("levels", levels)
     filled = ax.contourf(x, y, finite_values, levels=chosen, cmap=_COLOURS, extend="both")
@@ -122,7 +98,7 @@ def _fill(
             if (np.abs(place - 0.5) > 0.5 - _MARGIN).any():  # it would run out of the picture
                 text.remove()
     bar = ax.figure.colorbar(filled, ax=ax, pad=0.02, fraction=0.06, aspect=28)
-    bar.set_label(shown.label(chart.of, quantity_of(chart.of)))
+    bar.set_label(shown.label(of._replace(name=chart.of)))
     bar.outline.set_linewidth(0.6)
 
 
@@ -164,7 +140,7 @@ def _shade_unstable(ax: Axes, chart: StabilityMap, x: FloatArray, y: FloatArray)
 
 
 def _hatch(
-    ax: Axes, chart: StabilityMap, ranges: Mapping[str, tuple[Any, Any]], shown: _Units
+    ax: Axes, chart: StabilityMap, ranges: Mapping[str, tuple[Any, Any]], shown: Units
 ) -> list[Artist]:
     """Hatch the range of a parameter that the aircraft is to meet."""
     handles: list[Artist] = []
@@ -172,17 +148,18 @@ def _hatch(
     hatches = {chart.x_name: ("\\\\", COLOURS[1]), chart.y_name: ("--", COLOURS[5])}
     for name, ends in ranges.items():
         key = symbol(name, "axis", tuple(hatches), "ranges")
-        low, high = shown.of(key, finite(f"range of {name}", ends))
+        q = PARAMETERS[key]
+        low, high = shown.values(q, finite(f"range of {name}", ends, q.unit))
         hatch, colour = hatches[key]
         span = ax.axvspan if key == chart.x_name else ax.axhspan
         span(low, high, hatch=hatch, edgecolor=colour, **look)
-        label = f"range of {PARAMETERS[key].name.replace('_', ' ')}"
+        label = f"range of {q.name.replace('_', ' ')}"
         handles.append(Patch(hatch=hatch, edgecolor=colour, label=label, **look))
     return handles
 
 
 def _mark(
-    ax: Axes, chart: StabilityMap, marks: Mapping[str, Aircraft], shown: _Units
+    ax: Axes, chart: StabilityMap, marks: Mapping[str, Aircraft], shown: Units
 ) -> list[Artist]:
     """Mark aircraft, hollow where something beside x and y differs from the map."""
     handles: list[Artist] = []
@@ -209,11 +186,11 @@ def _mark(
 
 
 def _by_place(
-    chart: StabilityMap, marks: Mapping[str, Aircraft], shown: _Units
+    chart: StabilityMap, marks: Mapping[str, Aircraft], shown: Units
 ) -> dict[tuple[float, float], list[str]]:
     """Labels of the marks at each point of the picture."""
     places: dict[tuple[float, float], list[str]] = {}
     for label, plane in marks.items():
-        x, y = (float(shown.of(s, plane[s])) for s in (chart.x_name, chart.y_name))
+        x, y = (float(shown.values(PARAMETERS[s], plane[s])) for s in (chart.x_name, chart.y_name))
         places.setdefault((x, y), []).append(label)
     return places

@@ -18,6 +18,7 @@ from .models import as_model
 from .names import PARAMETERS, symbol
 from .records import Column, Record, measured
 from .results import Result
+from .shown import UnitsLike
 from .stability import CLOSED_FORMS, OVER_SPEED, closed_forms, quantity_of
 
 if TYPE_CHECKING:
@@ -86,7 +87,7 @@ class StabilityMap(Pictured, Result):
         ax: Axes | None = None,
         *,
         levels: Any = None,
-        units: Mapping[str, str] | None = None,
+        units: UnitsLike = None,
         marks: Mapping[str, Aircraft] | None = None,
         trials: bool | Iterable[int] = False,
         ranges: Mapping[str, tuple[Any, Any]] | None = None,
@@ -100,9 +101,9 @@ class StabilityMap(Pictured, Result):
             Where; a new figure if omitted.
         levels : sequence of float, optional
             Contour levels in the shown unit.
-        units : mapping of str to str, optional
-            Units to show, by parameter or by the name of what is mapped, e.g.
-            ``{"speed": "km/h", "tail_wheel_stiffness": "N/deg"}``; SI if omitted.
+        units : str or mapping of str to str, optional
+            See `groundroll.shown.as_units`; by parameter or by the name of what is mapped, e.g.
+            ``{"speed": "km/h", "tail_wheel_stiffness": "lbf/deg"}``.
         marks : mapping of str to Aircraft, optional
             Aircraft to mark, by label.
         trials : bool or iterable of int
@@ -124,7 +125,7 @@ class StabilityMap(Pictured, Result):
         hatched = dict(ranges or {})
         if cg_range:
             hatched.update(self._cg_range())
-        return draw(self, ax, levels, units or {}, self._marks(marks, trials), hatched)
+        return draw(self, ax, levels, units, self._marks(marks, trials), hatched)
 
     def _marks(
         self, marks: Mapping[str, Aircraft] | None, trials: bool | Iterable[int]

@@ -12,13 +12,12 @@ from cycler import cycler
 
 from .errors import GroundrollError
 from .generated import Quantity
-from .models import as_model
-from .units import from_si
+from .models import Model, as_model
+from .shown import Units, UnitsLike, as_units
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .arrays import FloatArray
     from .simulation import Trajectory
 
 #: Distinct to colour-blind eyes (Okabe and Ito), ordered so that neighbours differ in grey too.
@@ -26,9 +25,6 @@ COLOURS = ("#0072B2", "#D55E00", "#56B4E9", "#111111", "#009E73", "#CC79A7")
 #: Solid, dashed, dash-dot, dotted; with the colours they tell lines apart in grey.
 DASHES = ("-", (0, (5, 2)), (0, (6, 2, 1.2, 2)), (0, (1.2, 1.6)))
 INK, MUTED, GRID = "#222222", "#666666", "#DDDDDD"
-
-#: What people read instead of the SI unit.
-SHOWN_UNITS = {"rad": "deg", "rad/s": "deg/s"}
 
 #: More runs than this get no legend.
 _MOST_LABELS = 6
@@ -78,34 +74,46 @@ def plain(text: str) -> str:
     return text.replace("$", r"\$")
 
 
-def in_shown_unit(q: Quantity, values: FloatArray) -> FloatArray:
-    """Values of a quantity in the unit that people read."""
-    unit = q.unit
-    return values * from_si(1.0, unit, SHOWN_UNITS[unit]) if unit in SHOWN_UNITS else values
+def whose(result: Any) -> str:
+    """Of which aircraft and which model a result is: the title of its picture."""
+    return f"{plain(result.aircraft.name)}, {as_model(result.model).name} model"
 
 
-def axis_label(q: Quantity) -> str:
-    """Name, symbol and shown unit of a quantity."""
-    unit = SHOWN_UNITS.get(q.unit, q.unit).replace("^2", "²")
-    words = q.name.replace("_", " ")
-    return f"{words} ${q.latex}$" + (f" ({unit})" if unit != "1" else "")
+def titled(ax: Axes, title: str) -> None:
+    """Give a picture a title, unless it stands in one that somebody else has titled."""
+    if not any(ax.get_title(loc=loc) for loc in ("left", "center", "right")):
+        ax.set_title(title)
+
+
+def legend_above(ax: Axes, title: str, handles: Sequence[Any], columns: int = 3) -> None:
+    """A legend above a picture and the title of the picture above that."""
+    if not handles:
+        titled(ax, title)
+        return
+    place: Any = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "borderaxespad": 0.3}
+    look: Any = {"alignment": "left", "title_fontsize": 9, "handlelength": 1.6}
+    ax.legend(handles=handles, title=title, ncols=columns, **place, **look)
 
 
 def time_history(
     run: Trajectory,
-    names: Sequence[str] = ("y", "theta"),
+    names: Sequence[str] | None = None,
     ax: Axes | Sequence[Axes] | None = None,
+    units: UnitsLike = None,
 ) -> tuple[Axes, ...]:
-    """Plot states or outputs of a run over time.
+    """Plot states, outputs or inputs of a run over time.
 
     Parameters
     ----------
     run : Trajectory
         One run or several.
-    names : sequence of str
-        What to plot, by symbol or full name; one below the other. Angles are in degrees.
+    names : sequence of str, optional
+        What to plot, by symbol or full name; one below the other. If omitted, where the aircraft
+        goes and which way it points.
     ax : Axes or sequence of Axes, optional
         Where: one for each name. A new figure if omitted.
+    units : str or mapping of str to str, optional
+        See `groundroll.shown.as_units`; SI units with degrees if omitted.
 
     Returns
     -------
@@ -117,16 +125,19 @@ def time_history(
     GroundrollError
         For an unknown name, no name, or another number of axes than of names.
     """
-    wanted = [names] if isinstance(names, str) else list(names)
     model = as_model(run.model)
+    names = _most_telling(model) if names is None else names
+    wanted = [names] if isinstance(names, str) else list(names)
+    shown = as_units(units, model.quantities, run.aircraft)
     symbols = [model.symbol(n, "state or output", tuple(run.values), "this run") for n in wanted]
     if not symbols:
         raise GroundrollError("nothing to plot: names is empty")
     with style():
         axes = _axes(ax, len(symbols))
         for axis, name in zip(axes, symbols, strict=True):
-            _draw_over_time(axis, run, name)
+            _draw_over_time(axis, run, model.quantities[name], shown)
         axes[-1].set_xlabel("time (s)")
+        titled(axes[0], whose(run))
         if 1 < run[symbols[0]].reshape(-1, run.t.size).shape[0] <= _MOST_LABELS:
             axes[0].legend()
     return tuple(axes)
@@ -144,9 +155,17 @@ def _axes(ax: Axes | Sequence[Axes] | None, count: int) -> list[Axes]:
     return given
 
 
-def _draw_over_time(axis: Axes, run: Trajectory, name: str) -> None:
-    q = as_model(run.model).quantities[name]
-    values = in_shown_unit(q, run[name])
+def _most_telling(model: Model) -> tuple[str, ...]:
+    """Displacement and rotation in body axes, or else over the ground, or else what moves."""
+    of_thesis = ("y", "theta")
+    if set(of_thesis) <= set(model.states) and "theta" not in model.roles.values():
+        return of_thesis
+    over_ground = (model.roles.get("offset"), model.roles.get("heading"))
+    return tuple(s for s in over_ground if s) or model.dynamic[:4]
+
+
+def _draw_over_time(axis: Axes, run: Trajectory, q: Quantity, units: Units) -> None:
+    values = units.values(q, run[q.symbol])
     lines = values.reshape(-1, run.t.size)
     for k, line in enumerate(lines):
         index = ", ".join(map(str, np.unravel_index(k, values.shape[:-1])))
@@ -158,4 +177,4 @@ def _draw_over_time(axis: Axes, run: Trajectory, name: str) -> None:
             label=f"run {index}",
         )
     axis.set_xlim(run.t[0], run.t[-1])
-    axis.set_ylabel(axis_label(q))
+    axis.set_ylabel(units.label(q))

@@ -17,6 +17,7 @@ from .listing import Pictured, span, unit_of
 from .models import ModelLike, as_model, symbol_of
 from .modes import ComplexArray
 from .names import PARAMETERS
+from .shown import UnitsLike
 from .wording import number
 
 if TYPE_CHECKING:
@@ -61,12 +62,19 @@ class FrequencyResponse(Pictured):
         return np.unwrap(np.angle(self.response), axis=-1)
 
     def plot(
-        self, ax: Sequence[Axes] | None = None, *, decibels: bool = False
+        self,
+        ax: Sequence[Axes] | None = None,
+        *,
+        decibels: bool = False,
+        units: UnitsLike = None,
     ) -> tuple[Axes, Axes]:
-        """Bode diagram: magnitude above phase; `ax` is a pair of axes, new ones if omitted."""
+        """Bode diagram: magnitude above phase; `ax` is a pair of axes, new ones if omitted.
+
+        For `units` see `groundroll.shown.as_units`.
+        """
         from .response_plot import bode
 
-        return bode(self, ax, decibels)
+        return bode(self, ax, decibels, units)
 
     def __repr__(self) -> str:
         q = as_model(self.model).quantities
@@ -226,11 +234,11 @@ class StepResponse(Pictured):
     aircraft: Aircraft
     model: ModelLike
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Plot the output over time."""
+    def plot(self, ax: Axes | None = None, *, units: UnitsLike = None) -> Axes:
+        """Plot the output over time; for `units` see `groundroll.shown.as_units`."""
         from .response_plot import step
 
-        return step(self, ax)
+        return step(self, ax, units)
 
     def __repr__(self) -> str:
         q = as_model(self.model).quantities

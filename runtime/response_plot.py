@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -14,8 +15,9 @@ from .arrays import FloatArray
 from .errors import GroundrollError
 from .models import as_model
 from .names import PARAMETERS
-from .plots import COLOURS, DASHES, INK, MUTED, SHOWN_UNITS, axis_label, in_shown_unit, style
-from .units import from_si
+from .plots import COLOURS, DASHES, INK, MUTED, style, titled, whose
+from .shown import UnitsLike, as_units
+from .wording import number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,12 +54,13 @@ def _tell_apart(ax: Axes, count: int) -> None:
 
 
 def bode(
-    response: FrequencyResponse, ax: Sequence[Axes] | None, decibels: bool
+    response: FrequencyResponse, ax: Sequence[Axes] | None, decibels: bool, units: UnitsLike
 ) -> tuple[Axes, Axes]:
     """Magnitude above phase over frequency."""
     known = as_model(response.model).quantities
     q, by = known[response.output], known[response.input]
-    unit = SHOWN_UNITS.get(q.unit, q.unit)
+    shown = as_units(units, known, response.aircraft)
+    unit, per = shown.of(q), shown.of(by)
     with style():
         if ax is None:
             from matplotlib import pyplot
@@ -66,43 +69,47 @@ def bode(
         if (count := np.asarray(ax, dtype=object).size) != 2:
             raise GroundrollError(f"a Bode diagram needs two axes, not {count}")
         above, below = ax
-        magnitude = in_shown_unit(q, response.magnitude)
+        magnitude = shown.values(q, response.magnitude) / shown.factor(by)
         phase = np.degrees(response.phase)
         lines = zip(_rows(magnitude), _rows(phase), strict=True)
         for k, (size, angle) in enumerate(lines):
-            shown = 20 * np.log10(size) if decibels else size
-            above.plot(response.frequency, shown, **_look(k))
+            height = 20 * np.log10(size) if decibels else size
+            above.plot(response.frequency, height, **_look(k))
             below.plot(response.frequency, angle, **_look(k))
         _tell_apart(above, len(above.lines))
         above.set_xscale("log")
         below.set_xscale("log")
-        ratio = f"{unit}/{by.unit}" if unit != "1" else f"1/{by.unit}"
+        ratio = unit if per == "1" else f"{unit}/{per}"
         if decibels:
             above.set_ylabel(f"magnitude (dB of 1 {ratio})")
         else:
             above.set_yscale("log")
             above.set_ylabel(f"magnitude ({ratio})".replace("^2", "²"))
-        above.set_title(f"{_words(q.name)} ${q.latex}$ to {_words(by.name)} ${by.latex}$")
+        channel = f"{_words(q.name)} ${q.latex}$ to {_words(by.name)} ${by.latex}$"
+        titled(above, f"{whose(response)}: {channel}")
         below.set_ylabel("phase (deg)")
         below.yaxis.set_major_locator(mpl.ticker.MultipleLocator(45))
         below.set_xlabel("frequency (rad/s)")
     return above, below
 
 
-def step(response: StepResponse, ax: Axes | None) -> Axes:
+def step(response: StepResponse, ax: Axes | None, units: UnitsLike) -> Axes:
     """An output over time after a step."""
     known = as_model(response.model).quantities
     q, by = known[response.output], known[response.input]
+    shown = as_units(units, known, response.aircraft)
     with style():
         ax = _new(ax, (6, 3.2))
-        for k, line in enumerate(_rows(in_shown_unit(q, response.values))):
+        for k, line in enumerate(_rows(shown.values(q, response.values))):
             ax.plot(response.t, line, **_look(k))
         _tell_apart(ax, len(ax.lines))
         ax.axhline(0.0, color=MUTED, linewidth=0.8)
         ax.set_xlim(0.0, response.t[-1])
         ax.set_xlabel("time after the step (s)")
-        ax.set_ylabel(axis_label(q))
-        ax.set_title(f"step of {response.size:g} {by.unit} in {_words(by.name)} ${by.latex}$")
+        ax.set_ylabel(shown.label(q))
+        size = f"{number(shown.factor(by) * response.size)} {shown.of(by)}".removesuffix(" 1")
+        change = f"step of {size} in {_words(by.name)} ${by.latex}$"
+        titled(ax, f"{whose(response)}: {change}")
     return ax
 
 
@@ -121,9 +128,10 @@ def pole_map(lin: Linearization, ax: Axes | None = None) -> Axes:
     Axes
         What was drawn on.
     """
-    poles = lin.eigenvalues.reshape(-1, 2)
+    poles = lin.eigenvalues.reshape(-1, lin.eigenvalues.shape[-1])
     with style():
         ax = _new(ax, (5.2, 4.4))
+        titled(ax, whose(lin))
         for k, pair in enumerate(poles):
             look = {**_look(k), "linestyle": "none"}
             ax.plot(pair.real, pair.imag, marker="x+1v^2"[k % 6], markersize=8, **look)
@@ -135,11 +143,11 @@ def pole_map(lin: Linearization, ax: Axes | None = None) -> Axes:
 def locus(root_locus: RootLocus, ax: Axes | None, unit: str | None) -> Axes:
     """Eigenvalues in the complex plane, coloured by the parameter."""
     q = PARAMETERS[root_locus.parameter]
-    factor = from_si(1.0, q.unit, unit) if unit else 1.0
-    shown = root_locus.values * factor
+    units = as_units(unit and {q.symbol: unit}, PARAMETERS)
+    shown = units.values(q, root_locus.values)
     with style():
         ax = _new(ax, (6.2, 4.4))
-        for mode, marker in zip(root_locus.eigenvalues.T, ("o", "s"), strict=True):
+        for mode, marker in zip(root_locus.eigenvalues.T, cycle("os^v"), strict=False):
             ax.plot(mode.real, mode.imag, color=MUTED, linewidth=0.8, zorder=2)
             points = ax.scatter(mode.real, mode.imag, c=shown, cmap=_COURSE, s=9, zorder=3)
             _arrow(ax, mode)
@@ -150,9 +158,9 @@ def locus(root_locus: RootLocus, ax: Axes | None, unit: str | None) -> Axes:
                 "zorder": 4,
             }
             ax.plot(mode.real[0], mode.imag[0], markerfacecolor="white", markersize=6.5, **ends)
-        name = (unit or q.unit).replace("^2", "²")
         bar = ax.figure.colorbar(points, ax=ax, pad=0.02, fraction=0.06, aspect=28)
-        bar.set_label(f"{_words(q.name)} ${q.latex}$" + (f" ({name})" if name != "1" else ""))
+        bar.set_label(units.label(q))
+        titled(ax, whose(root_locus))
         bar.outline.set_linewidth(0.6)
         _plane(ax, root_locus.eigenvalues)
     return ax
@@ -212,8 +220,10 @@ def _damping_lines(ax: Axes, low: float, top: float) -> None:
             zorder=1,
         )
     ax.text(
-        *(0.0, 1.01, r"rays: damping ratio $\zeta$; arcs: natural frequency $\omega_n$ (rad/s)"),
+        *(1.0, -0.16, r"rays: damping ratio $\zeta$; arcs: natural frequency $\omega_n$ (rad/s)"),
         transform=ax.transAxes,
+        ha="right",
+        va="top",
         fontsize=8,
         color=MUTED,
     )

@@ -23,6 +23,7 @@ from .motion.plan import Plan, planned
 from .motion.signals import Polynomials, Signal
 from .records import Column, Record, measured, run_dims, time_axis
 from .results import Result
+from .shown import UnitsLike
 from .validity import extrapolated_in
 from .values import given
 
@@ -101,13 +102,15 @@ class Trajectory(Listed, Result):
 
     def plot(
         self,
-        names: Sequence[str] = ("y", "theta"),
+        names: Sequence[str] | None = None,
         ax: Axes | Sequence[Axes] | None = None,
+        *,
+        units: UnitsLike = None,
     ) -> tuple[Axes, ...]:
-        """Plot states or outputs over time; see `groundroll.plots.time_history`."""
+        """Plot states, outputs or inputs over time; see `groundroll.plots.time_history`."""
         from .plots import time_history
 
-        return time_history(self, names, ax)
+        return time_history(self, names, ax, units)
 
     def _record(self) -> Record:
         runs, model = run_dims(self.status.shape), as_model(self.model)

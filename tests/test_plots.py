@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 
 import groundroll as gr
 from groundroll.names import QUANTITIES
-from groundroll.plots import axis_label, style, time_history
+from groundroll.plots import style, time_history
+from groundroll.shown import Units
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +47,7 @@ def test_angles_are_in_degrees(run):
     ],
 )
 def test_labels_name_the_shown_unit(name, label):
-    assert axis_label(QUANTITIES[name]) == label
+    assert Units().label(QUANTITIES[name]) == label
 
 
 def test_given_axes_are_used_and_returned(run):

@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundroll.plots import COLOURS, DASHES, MUTED, axis_label, in_shown_unit
+from groundroll.plots import COLOURS, DASHES, MUTED
+from groundroll.shown import Units
 
 from .cases import Case, case
 from .figure_legends import place_legend, sorted_pair, trial_label
@@ -41,17 +42,18 @@ def response(figure: Figure, spec: FigureSpec) -> None:
     if "limits" in options:
         axis.set_ylim(*options["limits"])
     axis.set_xlabel("time (s)")
-    radians = options.get("radians", False)
-    label = axis_label(_quantity(chosen[0], options))
-    axis.set_ylabel(label.replace("(deg)", "(rad)") if radians else label)
+    axis.set_ylabel(_units(options).label(_quantity(chosen[0], options)))
     _legend(axis, chosen)
 
 
 def _series(subject: Case, options: Mapping[str, Any]) -> tuple[FloatArray, FloatArray]:
     name = options["quantity"]
     values = subject.run[name]
-    shown = values if options.get("radians") else in_shown_unit(_quantity(subject, options), values)
-    return subject.run.t, shown
+    return subject.run.t, _units(options).values(_quantity(subject, options), values)
+
+
+def _units(options: Mapping[str, Any]) -> Units:
+    return Units(system="plain" if options.get("radians") else "si")
 
 
 def _quantity(subject: Case, options: Mapping[str, Any]) -> Quantity:

@@ -12,7 +12,8 @@ from matplotlib.lines import Line2D
 from groundroll.aircraft import Aircraft
 from groundroll.evaluate import elementwise
 from groundroll.names import QUANTITIES
-from groundroll.plots import COLOURS, DASHES, INK, axis_label
+from groundroll.plots import COLOURS, DASHES, INK
+from groundroll.shown import Units
 from groundroll.units import from_si, to_si
 
 from .cases import case, tire_fit
@@ -117,8 +118,8 @@ def normalised(figure: Figure, spec: FigureSpec) -> None:
         axis.plot(alpha_bar, curve, color=INK, linestyle=DASHES[k], linewidth=1.2, label=label)
     axis.set_xlim(0, alpha_bar[-1])
     axis.set_ylim(0, None)
-    axis.set_xlabel(axis_label(QUANTITIES["alpha_bar"]))
-    axis.set_ylabel(axis_label(QUANTITIES["F_bar"]))
+    axis.set_xlabel(Units().label(QUANTITIES["alpha_bar"]))
+    axis.set_ylabel(Units().label(QUANTITIES["F_bar"]))
     axis.legend(loc="lower right", ncols=2)
 
 
