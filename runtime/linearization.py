@@ -37,6 +37,9 @@ _AXES = {
     "eigenvalues": ("mode",),
 }
 
+#: Axes along which what is told has a unit of its own.
+_MEASURED = ("state", "input", "output")
+
 
 @dataclass(frozen=True, repr=False)
 class Linearization(Listed, Result):
@@ -183,6 +186,8 @@ class Linearization(Listed, Result):
         labels |= {"input": self.inputs, "output": self.outputs}
         results |= {axis: Column((axis,), np.array(names)) for axis, names in labels.items()}
         model = as_model(self.model)
+        units = {axis: [model.quantities[s].unit for s in labels[axis]] for axis in _MEASURED}
+        results |= {f"{axis}_unit": Column((axis,), np.array(u)) for axis, u in units.items()}
         by_name = {model.quantities[s].name: s for s in model.inputs}
         given = {by_name.get(s, s): np.asarray(x, np.float64) for s, x in self.at.items()}
         return Record("linearization", self.aircraft, model, runs, results, given=given)
@@ -195,7 +200,7 @@ class Linearization(Listed, Result):
             for s, x in record.given.items()
         }
         parts: dict[str, Any] = {name: record[name] for name in ("A", "B", "drift")}
-        for axis in ("state", "input", "output"):
+        for axis in _MEASURED:
             parts[f"{axis}s"] = tuple(record[axis].tolist())
         model = record.model.key
         found = cls(**parts, at=OperatingPoint(**at), aircraft=record.aircraft, model=model)

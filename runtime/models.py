@@ -118,10 +118,10 @@ def as_model(model: ModelLike) -> Model:
     return model if isinstance(model, Model) else Model.load(model)
 
 
-@cache
 def _load(name: str) -> Model:
     try:
-        return _model(_found(name))
+        pack = _found(name)
+        return _model(pack, id(pack))
     except PackError as problem:
         raise GroundrollError(str(problem)) from None
 
@@ -150,7 +150,9 @@ def _announced() -> dict[str, Path]:
     return found
 
 
-def _model(pack: Pack) -> Model:
+@cache
+def _model(pack: Pack, identity: int) -> Model:
+    """A pack as a model, one for each that was read: words may differ where digests do not."""
     if not pack.states:
         raise GroundrollError(f"the pack {pack.name} holds no equations of motion")
     return Model(**{name: getattr(pack, name) for name in Pack.__dataclass_fields__})

@@ -84,15 +84,15 @@ def given(
             raise GroundrollError(f"{first} and {name} are the same {kind}; give one of them")
         names[kind, symbol] = name
         found[kind][symbol] = value
-    changes = {}
+    changes, of_its_own = {}, {}
     for s, value in found["parameter"].items():
         if s in PARAMETERS and PARAMETERS[s].unit == _unit(model, s) and s not in own:
             changes[s] = value
         else:
-            own[s] = physical_of(model.quantities[s], value)
+            of_its_own[s] = physical_of(model.quantities[s], value)
     aircraft = plane.replace(**changes) if changes else plane
-    if own != dict(plane.own):
-        aircraft = aircraft.with_own(own)
+    if of_its_own:
+        aircraft = aircraft.with_own({**own, **of_its_own})
     return Given(
         aircraft,
         {s: _input(model, s, v, over_time, names) for s, v in found["input"].items()},

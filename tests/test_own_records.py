@@ -6,105 +6,161 @@ import dataclasses
 import shutil
 from pathlib import Path
 
+import control
 import numpy as np
-import own_models
 import pytest
-from own_models import own, sedan, written
+from own_models import CAR, FOUR, HERE, LAGGING, own
 
 import groundroll as gr
 from groundroll import models, records
-from groundroll.derive.core.frames import i
+from groundroll.derive.emit.own import derive_file
 from groundroll.models import Model, as_model
+
+STEERING = gr.signals.step("3 deg", start=0.5)
+#: An own model with several inputs: constant, an array, over time.
+RUNS = {
+    "one input": lambda: gr.simulate(CAR, own("single_track"), steering="1 deg", t=1.0),
+    "over time": lambda: gr.simulate(
+        FOUR, own("four_wheels"), u0=30.0, steering=STEERING, brake_left=0.2, t=1.0, samples=51
+    ),
+    "arrays": lambda: gr.simulate(
+        FOUR,
+        own("four_wheels"),
+        u0=[[20.0], [30.0]],
+        steering=np.radians([0.0, 1.0, 2.0]),
+        brake_left=0.1,
+        brake_right=gr.signals.step([0.1, 0.2, 0.3], start=0.25),
+        grip=[0.7, 0.8, 0.9],
+        t=1.0,
+        samples=11,
+    ),
+    "own state": lambda: gr.simulate(LAGGING, own("lagging"), late_tail0="1 deg", push=50.0, t=1.0),
+}
+
+
+def derived(folder: Path, old: str = "", new: str = "") -> Path:
+    """The pack of the single-track car, with one thing in its file written otherwise."""
+    file = folder.with_suffix(".py")
+    text = (HERE / "single_track.py").read_text()
+    assert old in text
+    file.write_text(text.replace(old, new, 1) if old else text)
+    derive_file(file, folder)
+    return folder
 
 
 @pytest.fixture
 def kept(tmp_path: Path) -> Path:
     """What is kept of the car, made of a pack in a folder that can be moved."""
-    folder = written("car", tmp_path / "first")
-    return gr.linearize(sedan(), folder).save(tmp_path / "car.npz")
+    folder = derived(tmp_path / "first")
+    return gr.simulate(CAR, folder, steering="1 deg", t=1.0).save(tmp_path / "car.npz")
 
 
-def changed(folder: Path, what: str) -> Path:
-    """The pack of a car in which one thing is different."""
-    model = own_models.MODELS["car"]
-    front, *others = model.parts
-    if what == "coefficient":
-        front = dataclasses.replace(front, at=1.001 * own_models.a * i)
-    if what == "words":
-        said = own_models.Parameter("l_f", "front_axle_arm", "m", "in other words", sign=">0")
-        front = dataclasses.replace(front, at=said * i)
-        model = dataclasses.replace(model, summary="Other words.")
-    return written("car", folder, model=dataclasses.replace(model, parts=[front, *others]))
+@pytest.mark.parametrize("suffix", [".npz", ".nc"])
+@pytest.mark.parametrize("name", RUNS)
+def test_what_goes_in_comes_out(name: str, suffix: str, tmp_path: Path) -> None:
+    run = RUNS[name]()
+    back = gr.Trajectory.load(run.save(tmp_path / f"run{suffix}"))
+    assert set(back.values) == set(run.values)
+    for s, values in run.values.items():
+        np.testing.assert_array_equal(back[s], values)
+    assert back.signals.keys() == run.signals.keys()
+    for s, signal in run.signals.items():
+        np.testing.assert_allclose(back.signals[s](run.t), signal(run.t), rtol=1e-12, atol=1e-12)
+    assert back.aircraft.parameters(back.model) == pytest.approx(run.aircraft.parameters(run.model))
+    assert repr(back) == repr(run)
 
 
-def test_what_is_kept_of_an_own_model_is_found_again_by_its_folder(kept: Path) -> None:
-    lin = gr.Linearization.load(kept)
-    assert as_model(lin.model).name == "car"
-    assert lin.model == str(kept.parent / "first")
-    assert lin.inputs == ("delta", "F_side")
-    assert np.array_equal(lin.B, gr.linearize(sedan(), kept.parent / "first").B)
-    assert dict(lin.aircraft.own) == dict(sedan().own)
+def test_inputs_stand_in_tables_with_their_units() -> None:
+    run = RUNS["over time"]()
+    data, frame = run.to_xarray(), run.to_pandas()
+    units = {"steering": "rad", "brake_left": "1", "brake_right": "1", "u": "m/s"}
+    for s, unit in units.items():
+        assert data[s].attrs["units"] == unit
+        assert frame.attrs["units"][s] == unit
+        np.testing.assert_array_equal(frame[s], run[s])
+    assert data["steering"][-1] == pytest.approx(np.radians(3.0))
+    assert data.attrs["equations"] == own("four_wheels").digest
+    many = RUNS["arrays"]().to_xarray()
+    assert many["grip"].dims == ("run_1",)
+    assert many["grip"].attrs["units"] == "1"
+    assert many["steering"].dims == ("run_0", "run_1", "t")
+
+
+def test_a_linearization_takes_every_input_to_tables_and_to_control() -> None:
+    lin = gr.linearize(FOUR, own("four_wheels"), at={"speed": 20.0, "steering": "1 deg"})
+    data = lin.to_xarray()
+    assert data["B"].sel(input="brake_left", state_rate="r") == lin.B[2, 1]
+    assert data["input_unit"].values.tolist() == ["rad", "1", "1"]
+    assert data["state_unit"].values.tolist() == ["m/s", "m/s", "rad/s"]
+    system = lin.to_control()
+    assert isinstance(system, control.StateSpace)
+    assert system.input_labels == ["steering", "brake_left", "brake_right"]
+
+
+def test_an_own_model_is_found_again_by_its_folder(kept: Path) -> None:
+    run = gr.Trajectory.load(kept)
+    assert as_model(run.model).name == "single_track"
+    assert run.model == str(kept.parent / "first")
+    assert dict(run.aircraft.own) == dict(CAR.own)
 
 
 def test_a_model_that_was_moved_is_to_be_named(kept: Path, tmp_path: Path) -> None:
     moved = shutil.move(tmp_path / "first", tmp_path / "second")
-    models._load.cache_clear()
     with pytest.raises(gr.GroundrollError, match=r"first, which is not found.*model=\.\.\."):
-        gr.Linearization.load(kept)
-    assert gr.Linearization.load(kept, model=moved).model == str(moved)
+        gr.Trajectory.load(kept)
+    assert gr.Trajectory.load(kept, model=moved).model == str(moved)
 
 
 def test_one_coefficient_refuses_it_and_other_words_do_not(kept: Path, tmp_path: Path) -> None:
-    words = changed(tmp_path / "words", "words")
-    assert Model.load(words).quantities["l_f"].meaning == "in other words"
-    assert gr.Linearization.load(kept, model=words).model == str(words)
-    coefficient = changed(tmp_path / "coefficient", "coefficient")
-    with pytest.raises(gr.GroundrollError, match=r"from other equations .* of the model car"):
-        gr.Linearization.load(kept, model=coefficient)
-    accepted = gr.Linearization.load(kept, model=coefficient, other_equations=True)
-    assert accepted.model == str(coefficient)
+    words = derived(tmp_path / "words", "front axle ahead of the CG", "in other words")
+    assert Model.load(words).quantities["l_front"].meaning == "in other words"
+    assert gr.Trajectory.load(kept, model=words).model == str(words)
+    other = derived(tmp_path / "other", "stiffness * alpha", "1.001 * stiffness * alpha")
+    with pytest.raises(gr.GroundrollError, match=r"from other equations .* of the model single_"):
+        gr.Trajectory.load(kept, model=other)
+    assert gr.Trajectory.load(kept, model=other, other_equations=True).model == str(other)
+
+
+def test_a_model_that_is_derived_again_is_read_again(kept: Path, tmp_path: Path) -> None:
+    """As in a notebook: the same folder, in one process."""
+    before = gr.linearize(CAR, tmp_path / "first").A
+    derived(tmp_path / "first", "stiffness * alpha", "2 * stiffness * alpha")
+    after = gr.linearize(CAR, tmp_path / "first").A
+    np.testing.assert_allclose(after[:, 0], 2 * before[:, 0], rtol=1e-12)
+    with pytest.raises(gr.GroundrollError, match="from other equations"):
+        gr.Trajectory.load(kept)
 
 
 def test_another_model_may_change(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = gr.linearize(gr.Aircraft.load("brott")).save(tmp_path / "lin.npz")
 
-    def other(name: models.ModelLike) -> Model:
-        return (
-            dataclasses.replace(as_model(name), digest="0") if name == "linear" else as_model(name)
-        )
+    def changed(name: models.ModelLike) -> Model:
+        model = as_model(name)
+        return dataclasses.replace(model, digest="0") if model.name == "linear" else model
 
-    monkeypatch.setattr(records, "as_model", other)
+    monkeypatch.setattr(records, "as_model", changed)
     assert gr.Linearization.load(path).model == "nonlinear"
 
 
 def test_a_model_of_an_installed_package_goes_by_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    folder = written("car", tmp_path / "installed")
+    folder = derived(tmp_path / "installed")
     monkeypatch.setattr(models, "_announced", lambda: {"family-car": folder})
-    lin = gr.linearize(sedan(), "family-car")
+    lin = gr.linearize(CAR, "family-car")
     assert lin.model == "family-car"
     assert gr.Result.load(lin.save(tmp_path / "lin.npz")).model == "family-car"
-
-
-def test_an_own_model_may_be_called_like_one_that_ships(tmp_path: Path) -> None:
-    like = dataclasses.replace(own_models.MODELS["car"], name="linear")
-    folder = written("car", tmp_path / "linear", model=like)
-    lin = gr.linearize(sedan(), folder)
-    assert lin.model == str(folder)
-    assert gr.Result.load(lin.save(tmp_path / "lin.npz")).inputs == ("delta", "F_side")
 
 
 def test_what_an_aircraft_varies_may_be_called_like_a_result(tmp_path: Path) -> None:
     """The speed of the aircraft and the speed of the run are both `u`."""
     arms = np.array([1.0, 1.2])
-    run = sedan().with_own({**sedan().own, "l_f": arms})
-    lin = gr.linearize(run.replace(u=np.array([[20.0], [30.0]])), own("car"))
+    plane = CAR.with_own({**CAR.own, "l_front": arms}).replace(u=np.array([[20.0], [30.0]]))
+    lin = gr.linearize(plane, own("single_track"))
     column = records.measured((), np.array(1.0), as_model("nonlinear").quantities["v"])
-    record = dataclasses.replace(lin._record(), results={"u": column, "l_f": column})
-    path = records.write(record, tmp_path / "kept.npz")
-    back = records.read(path)
-    assert set(record.varied) == {"aircraft_u", "own_l_f"}
+    record = dataclasses.replace(lin._record(), results={"u": column, "l_front": column})
+    back = records.read(records.write(record, tmp_path / "kept.npz"))
+    assert set(record.varied) == {"aircraft_u", "own_l_front"}
     assert np.array_equal(back.aircraft["u"], [[20.0], [30.0]])
-    assert np.array_equal(back.aircraft.own["l_f"], arms)
-    assert record.varied["own_l_f"].unit == "m"
+    assert np.array_equal(back.aircraft.own["l_front"], arms)
+    assert record.varied["own_l_front"].unit == "m"
