@@ -125,7 +125,7 @@ class Pack:
         return function
 
     def _module(self, name: str) -> Any:
-        return _module(self.folder / f"{name}.py")
+        return _module(self.folder / f"{name}.py", self.digest)
 
     @cached_property
     def own(self) -> Mapping[str, str]:
@@ -149,7 +149,7 @@ def _compiled(pack: Pack, name: str) -> ca.Function:
 
 
 @cache
-def _module(path: Path) -> Any:
+def _module(path: Path, digest: str) -> Any:
     spec = importlib.util.spec_from_file_location(
         f"groundroll_pack_{path.parent.name}_{path.stem}", path
     )
@@ -160,15 +160,23 @@ def _module(path: Path) -> Any:
     return module
 
 
-@cache
 def read_pack(folder: Path) -> Pack:
-    """Read the pack in a folder.
+    """Read the pack in a folder, again only if it was made again.
 
     Raises
     ------
     PackError
         If the folder holds no pack, or one that another version has made.
     """
+    try:
+        written = (folder / "facts.json").stat()
+    except OSError:
+        return _read(folder, (0, 0))
+    return _read(folder, (written.st_mtime_ns, written.st_size))
+
+
+@cache
+def _read(folder: Path, written: tuple[int, int]) -> Pack:
     path = folder / "facts.json"
     try:
         facts = json.loads(path.read_text(encoding="utf-8"))
