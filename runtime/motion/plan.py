@@ -19,6 +19,7 @@ from groundroll.parameters import parameters_of
 from groundroll.values import Given
 
 from .lanes import Outcome, Task, Watch
+from .rest import start_of
 from .signals import Polynomials, as_signal
 
 #: Finest and coarsest `tol`.
@@ -135,7 +136,7 @@ def planned(given: Given, model: Model, t: Any, tol: Any, at: FloatArray) -> Pla
         if signal is not None
     }
     inputs = {s: given.inputs.get(s, np.zeros(())) for s in model.inputs if s not in signals}
-    start = {s: given.states.get(s, np.zeros(())) for s in model.states}
+    start = start_of(given.aircraft, model, given.states)
     shape = common_shape(
         {
             **given.aircraft.given,
