@@ -223,7 +223,7 @@ def test_an_unknown_key_names_the_nearest(tmp_path: Path, line: str, expected: s
 
 
 def test_what_a_file_says_of_itself_is_at_its_top(tmp_path: Path):
-    assert the_mistake(tmp_path, f"titel = 'Brief'\n{BRIEF}").expected == "title"
+    assert the_mistake(tmp_path, f"titel = 'Brief'\n{BRIEF}").expected.startswith("title")
     assert the_mistake(tmp_path, f"{BRIEF}\ntitle = 'Brief'").key == "runway.title"
 
 
@@ -466,7 +466,7 @@ def test_a_check_is_for_python_too():
 
 def test_a_check_of_an_empty_aircraft_names_all_that_is_missing():
     found = gr.check(gr.Aircraft("empty", {}))
-    assert found.known == ()
+    assert not any(k.follows_from for k in found.known)  # constants that stand for themselves
     assert len(found.missing["nonlinear"]) == len(MODELS["nonlinear"].parameters)
 
 

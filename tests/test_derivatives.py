@@ -289,5 +289,8 @@ def test_libraries_export_what_an_exact_hessian_needs_and_no_jacobian_of_an_adjo
     exported = set(EXPORTED.findall((PACKS[pack].sources / f"{c_file}.c").read_text()))
     plain = {name for name in exported if not name.startswith(("fwd", "adj", "jac"))}
     assert plain
+    # those of a large model are differentiated by CasADi, and not once more
+    large = {f"{pack}_jacobians"} if len(PACKS[pack].parameters) > 60 else set()
+    plain -= large
     prefixes = ("", "fwd1_", "adj1_", "fwd1_adj1_")
-    assert exported == {prefix + name for prefix, name in product(prefixes, plain)}
+    assert exported - large == {prefix + name for prefix, name in product(prefixes, plain)}
