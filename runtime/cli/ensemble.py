@@ -210,6 +210,7 @@ def _figure(ens: Ensemble, axes: dict[str, Any], units: Mapping[str, str]) -> An
     from groundroll.ensemble_plot import plot_over, plot_spread
 
     of = next(iter(ens.largest))
+    units = {name: unit for name, unit in units.items() if unit}  # a bare number has none
     return (plot_over(ens, of, axes, units) if axes else plot_spread(ens, of)).figure
 
 
