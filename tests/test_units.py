@@ -212,7 +212,13 @@ def assert_same_physics(
         )
 
 
-@pytest.mark.parametrize("name", [n for n in FUNCTIONS if generated.build(n).n_in()])
+#: Estimates for the landing roll hold numbers with units of their own, which do not change here.
+SCALED = [
+    n for n in FUNCTIONS if not n.endswith("_follows") or n in generated.PACKS["aircraft"].functions
+]
+
+
+@pytest.mark.parametrize("name", SCALED)
 @settings(max_examples=10)
 @given(data=st.data())
 def test_numbers_do_not_depend_on_the_units_of_mass_length_and_time(name: str, data: st.DataObject):
