@@ -64,6 +64,7 @@ docs: $(STAMP)  ## the documentation, into docs/_build
 
 bench: $(STAMP)  ## speed, side by side with other tools; not part of the tests
 	$(BIN)/python tests/benchmarks/run.py
+	$(BIN)/python tests/benchmarks/explorer.py
 
 clean:  ## remove what was built here
 	rm -rf build study *.egg-info .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -17,11 +17,12 @@ html_theme = "furo"
 html_title = "groundroll"
 html_static_path = ["_static"]
 html_css_files = ["formulas.css"]
+html_extra_path = ["_pages"]
 autodoc_typehints = "none"  # the docstrings say more: unit, shape, sign
 autodoc_member_order = "bysource"
 napoleon_google_docstring = False
 napoleon_use_ivar = True
-exclude_patterns = ["_build", "examples"]
+exclude_patterns = ["_build", "_pages", "examples"]
 
 
 def _errata_page() -> str:
@@ -39,6 +40,17 @@ def _errata_page() -> str:
         for label in ("printed", "right", "evidence"):
             lines += [f"**{label.capitalize()}.** {entry[label]}", ""]
     return "\n".join(lines)
+
+
+def _explorers(folder: Path) -> None:
+    """A page to play with for each packaged aircraft."""
+    import groundroll as gr
+
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in ("brott", "brott-physical"):
+        gr.explore(gr.Aircraft.load(name), folder / f"{name}.html", "nonlinear")
+    for name in ("cessna-170", "cessna-172p"):
+        gr.explore(gr.Aircraft.load(name), folder / f"{name}.html", "landing_roll")
 
 
 def _escape(
@@ -65,4 +77,5 @@ def setup(app: Any) -> None:
         "mathml", inline_renderers=(_inline, None), block_renderers=(_block, None)
     )
     (Path(__file__).parent / "errata.md").write_text(_errata_page(), encoding="utf-8")
+    _explorers(Path(__file__).parent / "_pages" / "explorer")
     app.connect("autodoc-process-docstring", _escape, priority=400)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .ensemble_result import Ensemble
     from .ensembles import ensemble
     from .errors import GroundrollError
-    from .exchange import export
+    from .exchange import explore, export
     from .integration import integrator
     from .kicks import Survival, survival
     from .linearization import Linearization, linearize
@@ -94,6 +94,7 @@ _HOME = {
     "basin": "basins",
     "check": "checking",
     "ensemble": "ensembles",
+    "explore": "exchange",
     "export": "exchange",
     "fit_tire": "tire_fit",
     "frequency_response": "response",
@@ -151,6 +152,7 @@ __all__ = [
     "basin",
     "check",
     "ensemble",
+    "explore",
     "export",
     "fit_tire",
     "frequency_response",

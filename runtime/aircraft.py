@@ -38,13 +38,14 @@ _WAYS = (
 
 
 @cache
-def _ways(key: str) -> tuple[str, ...]:
+def ways(key: str) -> tuple[str, ...]:
+    """Names of the functions by which a parameter follows, the one to try first in front."""
     return tuple(key + ending for ending in _WAYS if key + ending in FUNCTIONS)
 
 
 def _origins(key: str) -> tuple[str, ...]:
     """What goes directly into the functions by which a parameter follows."""
-    return tuple(dict.fromkeys(s for way in _ways(key) for s in build(way).name_in()))
+    return tuple(dict.fromkeys(s for way in ways(key) for s in build(way).name_in()))
 
 
 @cache
@@ -315,7 +316,7 @@ class Aircraft(Listed):
         if key not in FOLLOWS:
             raise NotGivenError(f"aircraft {self.name}: {label} is not given", key)
         missing, is_known = None, False
-        for way in _ways(key):
+        for way in ways(key):
             try:
                 arguments = {s: self._resolve(s) for s in build(way).name_in()}
             except NotGivenError as problem:

@@ -27,6 +27,9 @@ _ANYWAY = frozenset(
 #: The same for wheel loads, relative: what a set of scales leaves.
 _LOADS = {"Fz": 0.02, "F_tail_load": 0.02}
 
+#: What cannot be given beside what it follows from.
+DETERMINED = frozenset((*_LENGTHS, *_LOADS))
+
 
 @dataclass(frozen=True)
 class Contradiction:

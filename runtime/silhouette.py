@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 #: Right half of the airframe, (ahead, right), in lengths from the CG to the tail. Only where the
 #: wheels stand is the aircraft's own; the rest is a typical light aircraft.
-_AIRFRAME = {
+AIRFRAME = {
     "fuselage": (
         *((0.560, 0.000), (0.552, 0.030), (0.520, 0.052), (0.440, 0.092), (0.330, 0.110)),
         *((0.120, 0.120), (-0.080, 0.118), (-0.280, 0.096), (-0.700, 0.044), (-0.930, 0.022)),
@@ -73,7 +73,7 @@ class Roll:
 def _outline() -> Outline:
     """The airframe as one shape in lengths from the CG to the tail."""
     parts = []
-    for half in _AIRFRAME.values():
+    for half in AIRFRAME.values():
         right = np.array(half)
         ring = np.concatenate([right, (right * [1, -1])[::-1], right[:1]])
         parts.append(Outline(ring, closed=True))

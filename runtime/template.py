@@ -94,6 +94,12 @@ def template(name: str, file: str) -> str:
     return "\n".join([*parts, _section(_REST, rest, _REST_TEXT)])
 
 
+def section_of(s: str) -> tuple[str, str]:
+    """In which table of an aircraft file a parameter stands, and under which name."""
+    places = (title for title, (symbols, _) in _SECTIONS.items() if s in symbols)
+    return next(places, _REST), QUANTITIES[s].name
+
+
 def quoted(text: str) -> str:
     """A text as TOML writes it, on one line."""
     return json.dumps(encodable(text), ensure_ascii=False).replace("\x7f", "\\u007f")

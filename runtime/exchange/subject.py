@@ -12,6 +12,7 @@ from groundroll.arrays import FloatArray
 from groundroll.errors import GroundrollError
 from groundroll.generated import Quantity
 from groundroll.models import Model, ModelLike, as_model
+from groundroll.motion.rest import start_of
 from groundroll.parameters import parameters_of
 from groundroll.values import given
 
@@ -60,7 +61,7 @@ def subject(plane: Aircraft, model: ModelLike, values: Mapping[str, Any], where:
     known = as_model(model)
     sorted_out = given(plane, known, values, where)
     inputs = {s: sorted_out.inputs.get(s, 0.0) for s in known.inputs}
-    start = {s: sorted_out.states.get(s, 0.0) for s in known.states}
+    start = start_of(sorted_out.aircraft, known, sorted_out.states)
     parameters = parameters_of(sorted_out.aircraft, known)
     return Subject(
         known,

@@ -10,6 +10,7 @@ from groundroll.aircraft import Aircraft
 from groundroll.arrays import FloatArray, broadcast
 from groundroll.errors import GroundrollError
 from groundroll.evaluate import columns
+from groundroll.generated.packs import Event
 from groundroll.models import Model
 from groundroll.names import PARAMETERS
 from groundroll.parameters import parameters_of
@@ -17,9 +18,9 @@ from groundroll.parameters import parameters_of
 #: Events of wheels end in the name of the wheel; their outputs are depths below the runway, m.
 _LIFTED = "wheel_lifted_"
 #: A guess of how far wheels sink in, m; steps of differences; largest step and how many.
-_SUNK, _H, _STEP, _ROUNDS = 0.05, 1e-6, 0.05, 100
+SUNK, _H, _STEP, _ROUNDS = 0.05, 1e-6, 0.05, 100
 #: A speed so small that nothing drags, m/s, at which slip angles are defined.
-_CREEP = 1e-6
+CREEP = 1e-6
 
 
 def start_of(
@@ -39,6 +40,11 @@ def start_of(
         if "w" not in given:
             start["w"] = _along_the_runway(plane, model, start, depth)
     return start
+
+
+def lifts(event: Event) -> bool:
+    """Whether an event is that of a wheel that leaves the ground."""
+    return event.name.startswith(_LIFTED)
 
 
 def _along_the_runway(
@@ -65,11 +71,11 @@ def _at_rest(plane: Aircraft, model: Model, depth: str) -> tuple[FloatArray, Flo
     n, u = p.shape[1], np.zeros((len(model.inputs), p.shape[1]))
     Z, pitch = model.states.index(depth), model.states.index("theta")
     rows = [model.states.index("w"), model.states.index("q")]
-    wheels = [model.outputs.index(e.output) for e in model.events if e.name.startswith(_LIFTED)]
+    wheels = [model.outputs.index(event.output) for event in model.events if lifts(event)]
 
     def state(at: FloatArray) -> FloatArray:
         x = np.zeros((len(model.states), n))
-        x[model.states.index("u")], x[Z], x[pitch] = _CREEP, *at
+        x[model.states.index("u")], x[Z], x[pitch] = CREEP, *at
         return x
 
     def depths(at: FloatArray) -> FloatArray:
@@ -83,7 +89,7 @@ def _at_rest(plane: Aircraft, model: Model, depth: str) -> tuple[FloatArray, Flo
     # straight lines through the wheels first, then Newton steps
     at = np.zeros((2, n))
     for _ in range(5):
-        at = at - _step(depths, at, depths(at) - _SUNK)
+        at = at - _step(depths, at, depths(at) - SUNK)
     for _ in range(_ROUNDS):
         step = np.clip(_step(rates, at, rates(at)), -_STEP, _STEP)
         at = at - step
