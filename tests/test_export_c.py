@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import ctypes
 import io
+import os
 import subprocess
 from functools import cache
 from pathlib import Path
@@ -227,6 +228,16 @@ def test_what_cannot_be_is_said_and_nothing_is_left(changes, told, tmp_path: Pat
         gr.export(plane, settings["to"], tmp_path / settings["out"], settings["model"], **given)
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
     assert (tmp_path / "file").read_text() == "mine"
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+@pytest.mark.parametrize("to", ["c", "fmu"])
+def test_a_folder_that_is_read_only_is_told(to: str, tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    with pytest.raises(gr.GroundrollError, match=r"cannot write .*Permission denied"):
+        gr.export(gr.Aircraft.load("brott"), to, tmp_path / "plane")
+    assert list(tmp_path.iterdir()) == []
+    tmp_path.chmod(0o700)
 
 
 def test_the_command_writes_the_same(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -27,12 +27,13 @@ from groundroll.cli import main
 
 _FOLDER = tempfile.TemporaryDirectory(prefix="groundroll-fmu-")
 VERSIONS = {"fmu": "3.0", "fmu2": "2.0"}
-#: What is changed of each model, by how much of itself.
+#: What is tuned in each model; not what decides how it starts, at rest on its legs.
 TUNED = {
     "linear": "Ct",
     "nonlinear": "a",
     "rollout": "track",
-    "landing_roll": "k_main",
+    "landing_roll": "track",
+    "landing_roll_flown": "tau_pilot",
     "single_track": "C_rear",
     "four_wheels": "grip",
     "lagging": "lag",

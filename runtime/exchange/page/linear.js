@@ -1,7 +1,9 @@
 // Steady rolling, the linear model there, and its eigenvalues.
 
-/** The states that are solved for: all that matter but a speed and a heading, which are held. */
-const CORE = MODEL.dynamic.filter((s) => s !== SPEED && s !== HEADING).map(state);
+/** What is held while rolling steadily: the speed, and the heading unless somebody steers. */
+const HELD = MODEL.dynamic.includes(OFFSET) ? [SPEED] : [SPEED, HEADING];
+/** The states that are solved for. */
+const CORE = MODEL.dynamic.filter((s) => !HELD.includes(s)).map(state);
 
 /** Derivatives of the rates of the core states by themselves, row by row. */
 const jacobianOf = (() => {
@@ -123,7 +125,8 @@ function operatingPoint(design, seed = anchor) {
  */
 function holds(point) {
   const n = CORE.length, A = jacobianOf(point.x, point.u, point.p, new Float64Array(n * n));
-  const live = CORE.map((_, i) => i).filter((i) => A.subarray(i * n, i * n + n).some((a) => a));
+  const all = CORE.map((_, i) => i);
+  const live = all.filter((i) => all.some((j) => A[i * n + j]) && all.some((j) => A[j * n + i]));
   const lateral = [MODEL.roles.lateral_velocity, MODEL.roles.yaw_rate].map((s) => CORE.indexOf(state(s ?? "")));
   point.roots = [];
   let good = true;

@@ -145,6 +145,7 @@ document.title = `${DATA.title}: explorer`;
 $("title").textContent = DATA.title;
 $("description").textContent = DATA.description;
 $("about").textContent = `${MODEL.name}: ${MODEL.summary}`;
+$("held").textContent = HELD.filter(Boolean).map((s) => plain(QUANTITIES[s].name)).join(" and ");
 $("runway-figure").hidden = !HAS_PATH;
 buildControls();
 buildActions();
