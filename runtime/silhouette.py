@@ -1,8 +1,8 @@
-"""The silhouette of an aircraft on the ground: where it is, what it leaves and what pushes it."""
+"""The silhouette of an aircraft or a car on the ground: what it leaves and what pushes it."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +14,12 @@ from matplotlib.transforms import Affine2D
 
 from .arrays import FloatArray
 from .plots import INK
+from .rolls import Roll
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Right half of the airframe, (ahead, right), in lengths from the CG to the tail. Only where the
+#: Right half of the airframe, (ahead, right), in lengths from the CG to the fin. Only where the
 #: wheels stand is the aircraft's own; the rest is a typical light aircraft.
 AIRFRAME = {
     "fuselage": (
@@ -35,43 +36,85 @@ AIRFRAME = {
         *((-1.045, 0.380), (-1.060, 0.200), (-1.060, 0.000)),
     ),
 }
-#: In the same lengths: half the track of the main gear, where a nose wheel stands, half length and
-#: half width of a tire and of the propeller.
+#: In the same lengths: half the track of a pair of wheels, where a nose wheel stands, half length
+#: and half width of a tire and of the propeller.
 _TRACK, _NOSE_WHEEL = 0.27, 0.40
 _TIRE, _PROPELLER = (0.068, 0.026), (0.010, 0.230)
+#: How far the body of a car reaches beyond its wheels, in lengths between its axles.
+_OVERHANG, _FLANK, _CORNER = 0.28, 0.05, 0.12
 
 ASPHALT, PAINT = "#D6D7DB", "#FFFFFF"
 
 
-@dataclass(frozen=True, eq=False)
-class Roll:
-    """One run: its path over the ground, its wheels, and how it is drawn."""
+def draw_aircraft(
+    axes: Axes, roll: Roll, t: float, shade: float, zorder: float, enlarged: float = 1.0
+) -> list[Any]:
+    """What rolls where it is at a time, the paler the smaller its shade."""
+    ground = _to_ground(axes, roll, t, enlarged)
+    paint, rubber = _mixed(roll.colour, shade), _mixed(INK, shade)
+    wheels = [_box(*at, *_TIRE, rubber) for at in _wheels(roll, t)]
+    outline = _airframe() if roll.flies else _car(np.array(list(_wheels(roll, t))))
+    body = PathPatch(outline, facecolor=paint, edgecolor=PAINT, linewidth=0.4)
+    nose = [_box(0.575, 0.0, *_PROPELLER, rubber)] if roll.flies else []
+    patches = [*nose, body, *wheels]
+    for order, patch in enumerate(patches):
+        patch.set(transform=ground + axes.transData, zorder=zorder + 0.01 * order)
+        axes.add_patch(patch)
+    return patches
 
-    t: FloatArray
-    X: FloatArray
-    Y: FloatArray
-    psi: FloatArray
-    force: FloatArray
-    a: float
-    b: float
-    label: str
-    colour: str
 
-    def at(self, t: float) -> tuple[float, float, float, float]:
-        """Position, m, heading, rad, and side force, N, at a time, from sample to sample."""
-        series = (self.X, self.Y, self.psi, self.force)
-        X, Y, psi, force = (float(np.interp(t, self.t, s)) for s in series)
-        return X, Y, psi, force
+def draw_tire_tracks(axes: Axes, roll: Roll) -> None:
+    """Where the wheels have gone."""
+    for n, kind in enumerate(roll.kinds):
+        if kind not in ("wheel", "wheels"):
+            continue
+        ahead, right = roll.places[:, n].T
+        half = _TRACK * roll.size if kind == "wheels" else 0.0
+        for side in (half, -half) if half else (0.0,):
+            path = roll.track(ahead, right + side)
+            axes.plot(*path, color=INK, linewidth=0.6, alpha=0.4, zorder=2)
 
-    def track(self, ahead: float, right: float) -> tuple[FloatArray, FloatArray]:
-        """The path over the ground of a point of the aircraft, m from the CG."""
-        cos, sin = np.cos(self.psi), np.sin(self.psi)
-        return self.X + ahead * cos - right * sin, self.Y + ahead * sin + right * cos
+
+def draw_pushes(
+    axes: Axes, roll: Roll, t: float, strongest: float, zorder: float, enlarged: float = 1.0
+) -> list[Any]:
+    """An arrow where a force acts, its length in proportion to it."""
+    arrows = []
+    for _, kind, place, force in roll.acting(t):
+        if kind != "force" or np.hypot(*force) < 0.02 * strongest or not strongest:
+            continue
+        at = place / roll.size
+        ends = np.stack([at, at - 1.5 * force / strongest])
+        head, start = _to_ground(axes, roll, t, enlarged).transform(ends).tolist()
+        look = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
+        arrows.append(axes.annotate("", head, start, arrowprops=look, zorder=zorder + 0.5))
+    return arrows
+
+
+def _wheels(roll: Roll, t: float) -> Iterator[tuple[float, float]]:
+    """Where the wheels stand, ahead and right, in lengths of what rolls.
+
+    If all stand behind the CG, one that the model leaves out carries the nose; what it has instead
+    below the fin is no wheel.
+    """
+    found = [
+        (float(place[0]) / roll.size, float(place[1]) / roll.size, kind)
+        for _, kind, place, _ in roll.acting(t)
+        if kind in ("wheel", "wheels")
+    ]
+    has_nose_wheel = roll.flies and found and all(ahead < 0 for ahead, _, _ in found)
+    for ahead, right, kind in found:
+        if has_nose_wheel and ahead <= -1.0 + 1e-9:
+            continue
+        sides = (_TRACK, -_TRACK) if kind == "wheels" else (0.0,)
+        yield from ((ahead, right + side) for side in sides)
+    if has_nose_wheel:
+        yield _NOSE_WHEEL, 0.0
 
 
 @cache
-def _outline() -> Outline:
-    """The airframe as one shape in lengths from the CG to the tail."""
+def _airframe() -> Outline:
+    """The airframe as one shape in lengths from the CG to the fin."""
     parts = []
     for half in AIRFRAME.values():
         right = np.array(half)
@@ -80,34 +123,24 @@ def _outline() -> Outline:
     return Outline.make_compound_path(*parts)
 
 
-def draw_aircraft(axes: Axes, roll: Roll, t: float, shade: float, zorder: float) -> list[Any]:
-    """The aircraft where it is at a time, the paler the smaller its shade."""
-    ground = _to_ground(axes, roll, t)
-    paint, rubber = _mixed(roll.colour, shade), _mixed(INK, shade)
-    airframe = PathPatch(_outline(), facecolor=paint, edgecolor=PAINT, linewidth=0.4)
-    main = roll.a / roll.b
-    third = (-1.0 if roll.a > 0 else _NOSE_WHEEL, 0.0)
-    wheels = [_box(*at, *_TIRE, rubber) for at in ((main, _TRACK), (main, -_TRACK), third)]
-    patches = [_box(0.575, 0.0, *_PROPELLER, rubber), airframe, *wheels]
-    for order, patch in enumerate(patches):
-        patch.set(transform=ground + axes.transData, zorder=zorder + 0.01 * order)
-        axes.add_patch(patch)
-    return patches
+def _car(wheels: FloatArray) -> Outline:
+    """A body around wheels, its corners cut."""
+    if not wheels.size:
+        wheels = np.zeros((1, 2))
+    front, rear = wheels[:, 0].max() + _OVERHANG, wheels[:, 0].min() - _OVERHANG
+    side = max(np.abs(wheels[:, 1]).max() + _FLANK, _TRACK + _FLANK)
+    c = _CORNER
+    half = [(front, 0), (front, side - c), (front - c, side), (rear + c, side), (rear, side - c)]
+    right = np.array([*half, (rear, 0)])
+    return Outline(np.concatenate([right, (right * [1, -1])[::-1], right[:1]]), closed=True)
 
 
-def _to_ground(axes: Axes, roll: Roll, t: float) -> Affine2D:
-    """From lengths of the aircraft, ahead and right, to the ground; undistorted where that is."""
-    X, Y, psi, _ = roll.at(t)
-    stretch = float(axes.get_aspect())
+def _to_ground(axes: Axes, roll: Roll, t: float, enlarged: float) -> Affine2D:
+    """From lengths of what rolls, ahead and right, to the ground; undistorted where that is."""
+    X, Y, psi = roll.at(t)
+    stretch, size = float(axes.get_aspect()), enlarged * roll.size
     turned = Affine2D().rotate(np.arctan2(stretch * np.sin(psi), np.cos(psi)))
-    return turned.scale(roll.b, roll.b / stretch).translate(X, Y)
-
-
-def draw_tire_tracks(axes: Axes, roll: Roll) -> None:
-    half = _TRACK * roll.b
-    points = [(roll.a, half), (roll.a, -half), *([(-roll.b, 0.0)] if roll.a > 0 else [])]
-    for point in points:
-        axes.plot(*roll.track(*point), color=INK, linewidth=0.6, alpha=0.4, zorder=2)
+    return turned.scale(size, size / stretch).translate(X, Y)
 
 
 def _box(ahead: float, right: float, long: float, wide: float, colour: str) -> Any:
@@ -119,14 +152,3 @@ def _mixed(colour: str, share: float) -> str:
     """A colour mixed with that of the runway."""
     mixed = share * np.array(to_rgb(colour)) + (1 - share) * np.array(to_rgb(ASPHALT))
     return to_hex(mixed.tolist())
-
-
-def draw_push(axes: Axes, roll: Roll, t: float, strongest: float, zorder: float) -> list[Any]:
-    """An arrow at the tail, its length in proportion to the side force."""
-    *_, force = roll.at(t)
-    if strongest == 0 or abs(force) < 0.02 * strongest:
-        return []
-    ends = [(-1.0, 0.0), (-1.0, -1.5 * force / strongest)]
-    tail, start = _to_ground(axes, roll, t).transform(ends).tolist()
-    arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-    return [axes.annotate("", tail, start, arrowprops=arrow, zorder=zorder + 0.5)]

@@ -87,6 +87,8 @@ class Trajectory(Listed, Result):
         return self.values[first] if first in self.signals else self.values[first][..., 0]
 
     def __getitem__(self, name: str) -> FloatArray:
+        if name in ("t", "time"):
+            return self.t
         return self.values[
             as_model(self.model).symbol(name, "state or output", tuple(self.values), "this run")
         ]

@@ -39,6 +39,12 @@ def test_full_names_and_symbols_are_the_same(plane: gr.Aircraft) -> None:
     assert plane["mass"] == plane["m"]
 
 
+def test_the_time_is_found_by_name_too(plane: gr.Aircraft) -> None:
+    run = gr.simulate(plane, v0=0.1, t=1.0, samples=11)
+    assert run["t"] is run.t
+    assert run["time"] is run.t
+
+
 def test_samples_are_those_of_the_integrator(plane: gr.Aircraft) -> None:
     run = gr.simulate(plane, v0=0.1, r0=0.02, psi0=0.01, t=2.0, samples=5)
     p = plane.parameters("nonlinear")

@@ -136,7 +136,8 @@ class Part:
         What the names of its quantities end with; its name if omitted. Parts with an empty suffix
         keep bare names, and may define the same quantity if they define it equally.
     kind : str
-        How it is drawn: ``"wheel"``, ``"fin"``, ``"force"`` or, not at all, ``""``.
+        How it is drawn: ``"wheel"``, ``"wheels"`` (a pair of them, left and right), ``"fin"``,
+        ``"force"`` or, not at all, ``""``.
     """
 
     name: str

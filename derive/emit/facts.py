@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from groundroll.derive.core.body import wind_x, wind_y
 from groundroll.derive.core.frames import X, Y, Z, phi, psi, r, u, v
 from groundroll.derive.core.quantity import Quantity
 
@@ -23,6 +24,8 @@ _ROLES = {
     "depth": Z,
     "roll": phi,
     "heading": psi,
+    "tailwind": wind_x,
+    "crosswind": wind_y,
 }
 
 
@@ -48,7 +51,7 @@ def facts(
         "sweeps": dict.fromkeys(sweep.functions, sweep.name) if sweep else {},
     }
     if model is not None and kernels is not None:
-        named = {q.name for q in (*model.states, *model.parameters)}
+        named = {q.name for q in (*model.states, *model.parameters, *model.inputs)}
         content |= {
             "states": _names(model.states),
             "dynamic": _names(model.dynamic),

@@ -29,7 +29,7 @@ def thesis_model(name: str, summary: str, tire: Tire) -> Model:
         summary,
         body=Body(speed="held", stands="level"),
         parts=[
-            Part("main_gear", a * i, main_gear(tire), suffix="", kind="wheel"),
+            Part("main_gear", a * i, main_gear(tire), suffix="", kind="wheels"),
             Part("vertical_tail", -b * i, vertical_tail, suffix="", kind="fin"),
             Part("tail_wheel", -b * i, tail_wheel, suffix="", kind="wheel"),
             Part("disturbance", -b * i, disturbance, asks=(F_disturbance,), suffix=""),
