@@ -370,7 +370,7 @@ def test_the_roll_is_played_and_its_fate_told(chromium: Any) -> None:
 
 def test_names_with_markup_stay_text(chromium: Any, tmp_path: Path) -> None:
     given = gr.Aircraft.load("brott").given
-    bad = "</script><img src=x onerror=alert(1)><b>\u2028 & 'x' \"y\" \\ \x1b"
+    bad = "</script><img src=x onerror=alert(1)><b>@FUNCTIONS@\u2028 & 'x' \"y\" \\ \x1b"
     odd = gr.Aircraft("odd", given, title=bad, description=bad, source=bad)
     path = gr.explore(odd, tmp_path / "odd.html", "nonlinear")
     with opened(chromium, path) as page:

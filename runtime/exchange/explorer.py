@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import json
+import re
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,7 @@ from .subject import Subject, subject
 _PAGE = Path(__file__).parent / "page"
 #: The program of the page, in this order.
 _PARTS = (
-    *("model", "linear", "motion", "tasks", "limits", "units", "design", "drawing"),
+    *("model", "eigenvalues", "linear", "motion", "tasks", "limits", "units", "design", "drawing"),
     *("aircraft", "modes", "map", "runway", "controls", "page"),
 )
 #: Bytes that a page may have: it should go into any mail.
@@ -73,11 +74,8 @@ def page(case: Subject) -> bytes:
         "@FUNCTIONS@": functions_text(case.model),
         "@PROGRAM@": "\n".join(_part(f"{name}.js") for name in _PARTS),
     }
-    text = _part("page.html")
-    for mark, piece in pieces.items():
-        before, _, after = text.partition(mark)
-        text = f"{before}{piece}{after}"
-    found = text.encode()
+    # all at once: a description may hold a mark
+    found = re.sub("@[A-Z]+@", lambda mark: pieces[mark[0]], _part("page.html")).encode()
     if len(found) > MOST:
         raise GroundrollError(
             f"the model {case.model.name} is too large for a page: it would have"
