@@ -723,3 +723,10 @@ def test_the_study_draws_its_figures(study: WorkedStudy) -> None:
     for figure in figures.values():
         assert all(ax.get_xlabel() and ax.get_ylabel() for ax in figure.axes)
         pyplot.close(figure)
+
+
+def test_the_study_takes_the_height_that_it_states(study: WorkedStudy):
+    """Not the one that would follow from an estimate where a file is silent."""
+    heights = [a.placement.case.numbers["h_cg"] for a in study.answers if a.placement]
+    assert len(heights) > 2
+    assert heights == pytest.approx([40.3 * 0.0254] * len(heights))

@@ -214,8 +214,17 @@ def _numbers(
     for s in dict.fromkeys(wanted):
         if s in _NOT_FIXED:
             continue
+        if s == "h_cg" and s not in plane.given:
+            # an estimate of it is no ground to place wheels on
+            if needs_height:
+                raise GroundrollError(
+                    f"placement within this limit needs cg_height (h_cg), which aircraft"
+                    f" {plane.name} is not given"
+                )
+            found[s] = np.nan
+            continue
         # only the height, and the tire of the simulated run, may be unknown
-        optional = (s == "h_cg" and not needs_height) or s in as_model("nonlinear").parameters
+        optional = s in as_model("nonlinear").parameters
         if s in own:
             found[s] = own[s]
         elif s in plane or not optional:

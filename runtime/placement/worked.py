@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundroll.aircraft import Aircraft
+from groundroll.names import PARAMETERS
 
 from .assess import Assessment, assess
 from .conflict import InfeasibleError
@@ -190,8 +191,8 @@ def worked_study(told: Callable[[], object] = lambda: None) -> WorkedStudy:
     answers = []
     for name, stiffness in asked["models"].items():
         plane = Aircraft.load(name)
-        known = {key: e["value"] for key, e in estimates.items() if key not in plane}
-        plane = plane.replace(**known)
+        given = {PARAMETERS[s].name for s in plane.given}  # what merely follows gives way
+        plane = plane.replace(**{k: e["value"] for k, e in estimates.items() if k not in given})
         for layout in LAYOUTS:
             ranges = {**asked["envelope"], **asked[layout].get("envelope", {})}
             ends: dict[str, Any] = {key: tuple(pair) for key, pair in ranges.items()}
