@@ -9,6 +9,8 @@ from types import ModuleType
 import casadi as ca
 import sympy as sp
 
+from groundroll.derive.core.model import Derivation
+
 from .c_source import c_source
 from .catalogue import Pack
 from .equation_sheet import equation_sheet
@@ -66,18 +68,34 @@ def _blocks(pack: Pack, module: Module, is_model: bool) -> Iterator[str]:
     if not is_model or pack.model is None:
         return
     if not module.is_readable:
-        yield _jacobians_source(pack.name)
+        yield _jacobians_source(pack.model)
     yield places_source(pack.model)
     for method in integrators.METHODS:
         yield _integrator_source(pack.name, method)
 
 
-def _jacobians_source(model: str) -> str:
-    return (
-        "@cache\ndef jacobians() -> ca.Function:\n"
-        '    """Jacobians of states and outputs by x, u and p: see `integrators.jacobians`."""\n'
-        f'    return integrators.jacobians(rhs(), outputs(), "{model}_jacobians")\n'
-    )
+def _jacobians_source(model: Derivation) -> str:
+    groups = {"x": model.states, "u": model.inputs, "p": model.parameters}
+    rows = {"f": ("xdot", len(model.states)), "g": ("y", len(model.outputs))}
+    lines = [
+        '"""Jacobians of states and outputs: see `integrators.jacobians`.',
+        "",
+        "Inputs",
+        "------",
+        *(f"{key} : column of {len(group)}" for key, group in groups.items()),
+        "",
+        "Outputs",
+        "-------",
+        *(
+            f"{of}{by} : {height} x {len(group)}, derivatives of {what} by {by}"
+            for of, (what, height) in rows.items()
+            for by, group in groups.items()
+        ),
+        '"""',
+        f'return integrators.jacobians(rhs(), outputs(), "{model.name}_jacobians")',
+    ]
+    body = "\n".join(f"    {line}" if line else "" for line in lines)
+    return f"@cache\ndef jacobians() -> ca.Function:\n{body}\n"
 
 
 def _integrator_source(model: str, method: str) -> str:

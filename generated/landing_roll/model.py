@@ -2674,7 +2674,23 @@ def psi_loop_follows() -> ca.Function:
 
 @cache
 def jacobians() -> ca.Function:
-    """Jacobians of states and outputs by x, u and p: see `integrators.jacobians`."""
+    """Jacobians of states and outputs: see `integrators.jacobians`.
+
+    Inputs
+    ------
+    x : column of 14
+    u : column of 11
+    p : column of 98
+
+    Outputs
+    -------
+    fx : 14 x 14, derivatives of xdot by x
+    fu : 14 x 11, derivatives of xdot by u
+    fp : 14 x 98, derivatives of xdot by p
+    gx : 47 x 14, derivatives of y by x
+    gu : 47 x 11, derivatives of y by u
+    gp : 47 x 98, derivatives of y by p
+    """
     return integrators.jacobians(rhs(), outputs(), "landing_roll_jacobians")
 
 

@@ -2516,7 +2516,23 @@ def psi_loop_follows() -> ca.Function:
 
 @cache
 def jacobians() -> ca.Function:
-    """Jacobians of states and outputs by x, u and p: see `integrators.jacobians`."""
+    """Jacobians of states and outputs: see `integrators.jacobians`.
+
+    Inputs
+    ------
+    x : column of 6
+    u : column of 11
+    p : column of 79
+
+    Outputs
+    -------
+    fx : 6 x 6, derivatives of xdot by x
+    fu : 6 x 11, derivatives of xdot by u
+    fp : 6 x 79, derivatives of xdot by p
+    gx : 39 x 6, derivatives of y by x
+    gu : 39 x 11, derivatives of y by u
+    gp : 39 x 79, derivatives of y by p
+    """
     return integrators.jacobians(rhs(), outputs(), "rollout_jacobians")
 
 
