@@ -1,23 +1,28 @@
 """Dimensions: checked node by node in the derivation, and in the numbers that come out."""
 
 import re
+from dataclasses import replace
 from functools import cache
 
+import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import find, given, settings
 from hypothesis import strategies as st
-from oracles import Array, parameters, state, values
+from oracles import Array, is_rolling, parameters, rolling, state, values
 
 from groundroll import generated
 from groundroll.derive.core.body import Body, m
 from groundroll.derive.core.equation import Equation
 from groundroll.derive.core.frames import i, j, r, v
-from groundroll.derive.core.model import Model
+from groundroll.derive.core.model import Derivation, Model
 from groundroll.derive.core.part import Force, Part
-from groundroll.derive.core.quantity import Quantity
+from groundroll.derive.core.quantity import Constant, Quantity
 from groundroll.derive.core.unit import BASE, UnitError, unit, unit_of
+from groundroll.derive.emit.catalogue import model_module
+from groundroll.derive.models.landing_roll import landing_roll
+from groundroll.derive.models.rollout import rollout
 from groundroll.derive.parts.quantities import F_disturbance, a, u
 from groundroll.derive.parts.thesis import alpha, disturbance
 from groundroll.derive.parts.tires import F_y
@@ -212,10 +217,8 @@ def assert_same_physics(
         )
 
 
-#: Estimates for the landing roll hold numbers with units of their own, which do not change here.
-SCALED = [
-    n for n in FUNCTIONS if not n.endswith("_follows") or n in generated.PACKS["aircraft"].functions
-]
+#: The formulas of what rolls hold numbers with units of their own: see below for these.
+SCALED = [name for name in FUNCTIONS if not is_rolling(generated.pack_of(name))]
 
 
 @pytest.mark.parametrize("name", SCALED)
@@ -227,6 +230,62 @@ def test_numbers_do_not_depend_on_the_units_of_mass_length_and_time(name: str, d
     point = [data.draw(values(symbols_in(name, argument))) for argument in arguments]
     tolerance = 1e-9 if name.endswith("rk45") else 1e-11 if name == "C3_follows" else 0.0
     assert_same_physics(name, point, data.draw(SCALES), UNITS, tolerance)
+
+
+def functions_in(model: Derivation, scale: Scale) -> dict[str, ca.Function]:
+    """Right-hand side and outputs of a model, its constants in other units."""
+
+    def scaled(expr: sp.Expr) -> sp.Expr:
+        constants = expr.atoms(Constant)
+        other = {c: Constant(c.value * factor(c.unit, scale), c.unit) for c in constants}
+        return expr.xreplace(other)
+
+    chain = tuple(replace(e, rhs=scaled(e.rhs)) for e in model.chain)
+    changed = model.replace(chain=chain, rates=tuple(map(scaled, model.rates)))
+    found: dict[str, object] = {}
+    head = "from functools import cache\nimport casadi as ca\n"
+    for spec in model_module(changed).functions[:2]:
+        exec(head + spec.source(), found)
+    return {name: found[name]() for name in ("rhs", "outputs")}  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("model", [rollout(), landing_roll()], ids=lambda model: model.name)
+@settings(max_examples=10)
+@given(data=st.data())
+def test_a_rolling_model_does_not_depend_on_the_units(model: Derivation, data: st.DataObject):
+    """Numbers with units in its formulas are in the other units too."""
+    pack, scale = generated.PACKS[model.name], data.draw(SCALES)
+    here = functions_in(model, tuple((q, 1.0) for q, _ in scale))
+    there = functions_in(model, scale)
+    point = [data.draw(rolling(pack, argument)) for argument in "xup"]
+    groups = (model.states, model.inputs, model.parameters)
+    factors = [np.array([factor(q.unit, scale) for q in group]) for group in groups]
+    other = [values * scaled for values, scaled in zip(point, factors, strict=True)]
+    units = {
+        "rhs": [f"({q.unit})/s" for q in model.states],
+        "outputs": [q.unit for q in model.outputs],
+    }
+    for name, unit_texts in units.items():
+        before = np.array(here[name](*point)).ravel()
+        back = np.array(there[name](*other)).ravel()
+        back = back / np.array([factor(text, scale) for text in unit_texts])
+        assert np.isfinite(before).all()
+        # forces of thousands of newtons cancel in their sums
+        np.testing.assert_allclose(back, before, rtol=1e-9, atol=1e-8, err_msg=name)
+
+
+def test_a_wrong_unit_of_a_constant_would_be_seen():
+    model, scale = landing_roll(), ((kg, 1.0), (metre, 2.0), (second, 1.0))
+    wrong = model.replace(
+        chain=tuple(
+            replace(e, rhs=e.rhs.xreplace({c: 2 * c for c in e.rhs.atoms(Constant)}))
+            for e in model.chain
+        )
+    )
+    point = [find(rolling(generated.PACKS["landing_roll"], a), lambda _: True) for a in "xup"]
+    same = [np.array(functions_in(m, scale)["rhs"](*point)) for m in (model, wrong)]
+    with pytest.raises(AssertionError):  # at the tolerance above
+        np.testing.assert_allclose(same[1], same[0], rtol=1e-9, atol=1e-8)
 
 
 @pytest.mark.parametrize("symbol", ["m", "Izz", "a", "u", "rho", "Ct", "C3", "C5"])
