@@ -246,6 +246,7 @@ def simulate(
     times: Array,
     start: Mapping[str, float],
     rtol: float = 1e-8,
+    method: str = "LSODA",
     **changes: float,
 ) -> dict[str, Array]:
     """States and outputs at the times, by symbol, from states given at the first of them."""
@@ -264,7 +265,7 @@ def simulate(
             lambda t, x, before=before: compiled.rates(x, at(min(t, before)), p),
             (first, last),
             x,
-            "LSODA",
+            method,
             np.unique(np.append(times[inside], last)),
             rtol=rtol,
             atol=1e-9,

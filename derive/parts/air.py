@@ -11,7 +11,7 @@ from groundroll.derive.core.equation import Chain, Equation
 from groundroll.derive.core.frames import i, j, k
 from groundroll.derive.core.part import Felt, Force, Law
 from groundroll.derive.core.quantity import Constant, Parameter, Quantity
-from groundroll.derive.core.rounded import clipped
+from groundroll.derive.core.rounded import clipped, ramp
 
 from .controls import elevator, pedal, rudder, thrust
 from .quantities import Ap, CL_gamma, rho
@@ -40,7 +40,7 @@ tailplane_apart = Parameter(
 )
 
 #: Width in which a slipstream that just reaches nothing is rounded, and in which lift stalls.
-STILL = Constant(0.01, "m/s")
+STILL = Constant(0.001, "m/s")
 #: Density below which a thrust is no longer the air's.
 THIN = Constant(1e-6, "kg/m^3")
 STALL = sp.Rational(1, 5)
@@ -68,7 +68,7 @@ def slipstream(axial: sp.Expr) -> Chain:
     V2 = V_axial * still + 2 * thrust / (A_disc * sp.sqrt(rho**2 + THIN**2))
     return (
         Equation(V_axial, axial, "Eq. 4.10 through the air"),
-        Equation(V_s, sp.sqrt((V2 + sp.sqrt(V2**2 + STILL**4)) / 2), "momentum theory"),
+        Equation(V_s, sp.sqrt(ramp(V2, STILL**2) + STILL**2), "momentum theory"),
     )
 
 

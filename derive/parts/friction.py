@@ -9,7 +9,7 @@ import sympy as sp
 
 from groundroll.derive.core.equation import Chain, Equation
 from groundroll.derive.core.quantity import Parameter, Quantity, State
-from groundroll.derive.core.rounded import clipped
+from groundroll.derive.core.rounded import clipped, ramp
 
 from . import quantities as given
 from .tires import C_c, F_bar, alpha_bar, magic_formula, mu
@@ -39,6 +39,7 @@ grip = Quantity("grip", "grip", "1", "side force that the slip would make, over 
 braked = Quantity(
     "braked", "braked", "1", "lengthwise force that the brake asks, over the friction"
 )
+asked = Quantity("asked", "asked", "1", "side force over the friction that slip and slide ask")
 along = Quantity("along", "lengthwise_part", "1", "lengthwise force over the friction, backward")
 left_over = Quantity(
     "left_over", "left_over", "1", "side force over load that is left for the slip"
@@ -47,6 +48,9 @@ across = Quantity("across", "side_part", "1", "side force over the friction, to 
 
 #: Friction of a tire whose line over load would have none.
 LEAST = sp.Rational(1, 1000)
+#: Part of the friction in which a tire that slides takes over from one that slips.
+SLIDING = sp.Rational(1, 50)
+_TINY = sp.Rational(1, 10**12)
 #: A curvature factor this little above 1 peaks beyond any slip.
 _NEVER = sp.Rational(1, 10**12)
 
@@ -131,5 +135,20 @@ def ellipse(brake: sp.Expr, rolling: Quantity, fade: sp.Expr) -> Chain:
         Equation(braked, (rolling + brake * (mu - rolling)) / mu, "brake"),
         Equation(along, clipped(V_x / V_fade, braked, ROUNDING), "a locked wheel slides"),
         Equation(left_over, sp.sqrt(1 - along**2), "friction ellipse"),
-        Equation(across, clipped(grip * fade, left_over, ROUNDING), "friction ellipse"),
+        *_asked(brake, grip * fade),
+        Equation(across, clipped(asked, left_over, ROUNDING), "friction ellipse"),
     )
+
+
+def _asked(brake: sp.Expr, side: sp.Expr) -> Chain:
+    """What the slip asks for: of a braked tire no less than that part of what sliding makes.
+
+    Tires whose curve falls at large slips would otherwise slide more easily locked than rolling.
+    """
+    if brake == 0:
+        return (Equation(asked, side, "slip"),)
+    slide = V_y / V_fade
+    # side over slide; more than any brake where both are nothing
+    ratio = (side * slide + _TINY) / (slide**2 + _TINY / 2)
+    more = slide * ramp(brake - ratio, SLIDING)
+    return (Equation(asked, side + more, "slip, or a locked wheel that slides"),)

@@ -8,18 +8,24 @@ import sympy as sp
 from sympy.physics.vector import Vector, cross
 
 from groundroll.derive.core.equation import Chain, Equation
-from groundroll.derive.core.frames import i, j
+from groundroll.derive.core.frames import along_body, components, i, j
 from groundroll.derive.core.part import Event, Felt, Force, Law, Part
 from groundroll.derive.core.quantity import Quantity
 
 from .friction import Slip, Tire, V_x, V_y, across, along, alpha, ellipse, slipping
-from .leg import Leg, depth, stand
+from .leg import Leg, depth, sinking, stand
 from .tires import mu
 
 F_x = Quantity("F_x", "wheel_drag", "N", "lengthwise force on the wheel, backward", "F_x")
 F_y = Quantity("F_y", "wheel_side_force", "N", "side force on the wheel, to the left", "F_y")
 slope = Quantity("slope", "heading_slope", "1", "how far the heading in the body points down")
 flat = Quantity("flat", "flat_part", "1", "part of the heading that lies in the runway's plane")
+
+#: What a wheel does to the body, along the body's axes.
+PUSH = tuple(
+    Quantity(f"push_{axis}", f"push_along_{axis}", "N", f"of the wheel on the body, along {axis}")
+    for axis in "xyz"
+)
 
 LIFTED = Event("wheel_lifted", depth, False, "a wheel leaves the ground")
 
@@ -89,22 +95,36 @@ def wheel(
 def _law(leg: Leg, tire: Tire, friction: Chain, turned: Turned, slip: Slip) -> Law:
     def law(felt: Felt) -> Force:
         foot = stand(felt, leg)
-        heading, right, directions = _heading(felt, turned.angle)
+        pointing = sp.cos(turned.angle) * i + sp.sin(turned.angle) * j
+        right = cross(felt.down, pointing)
+        ahead = foot.velocity.dot(pointing)
+        # heading and right lie in the runway's plane, flat times as long as they should be
+        if foot.chain:
+            projected: Chain = (
+                Equation(slope, pointing.dot(felt.down), "direction cosine"),
+                Equation(flat, sp.sqrt(1 - slope**2), "projection on the runway"),
+            )
+            ahead, length = ahead - slope * sinking, flat
+            heading, load = pointing - slope * felt.down, felt.load
+        else:
+            projected, length, heading, load = (), sp.S.One, pointing, sp.S.Zero
+        friction_force = -F_x / length * heading - F_y / length * right
+        pushed = components(friction_force - load * felt.down)
         chain = (
             *foot.chain,
             *turned.chain,
-            *directions,
-            Equation(V_x, foot.velocity.dot(heading), "Eq. 4.10 at the contact"),
-            Equation(V_y, foot.velocity.dot(right) - turned.leftward, "Eq. 4.10 at the contact"),
+            *projected,
+            Equation(V_x, ahead / length, "Eq. 4.10 at the contact"),
+            Equation(V_y, foot.velocity.dot(right) / length - turned.leftward, "Eq. 4.10"),
             *slip.chain,
             *tire(felt.load),
             *friction,
             Equation(F_x, along * mu * felt.load, "Eq. 3.11"),
             Equation(F_y, turned.holds * across * mu * felt.load, "Eq. 3.11"),
+            *(Equation(q, e, "resolved") for q, e in zip(PUSH, pushed, strict=True)),
         )
-        load = felt.load * felt.down if foot.chain else Vector(0)
         return Force(
-            vector=-F_x * heading - F_y * right - load,
+            vector=along_body(sp.Matrix(PUSH)),
             chain=chain,
             rates={**turned.rates, **slip.rates},
             shown=(felt.load, alpha, F_x, F_y),
@@ -113,16 +133,3 @@ def _law(leg: Leg, tire: Tire, friction: Chain, turned: Turned, slip: Slip) -> L
         )
 
     return law
-
-
-def _heading(felt: Felt, angle: sp.Expr) -> tuple[Vector, Vector, Chain]:
-    """Unit vectors along the wheel and to its right in the plane of the runway."""
-    pointing = sp.cos(angle) * i + sp.sin(angle) * j
-    if felt.depth is None:
-        return pointing, cross(felt.down, pointing), ()
-    chain = (
-        Equation(slope, pointing.dot(felt.down), "direction cosine"),
-        Equation(flat, sp.sqrt(1 - slope**2), "projection on the runway"),
-    )
-    heading = (pointing - slope * felt.down) / flat
-    return heading, cross(felt.down, pointing) / flat, chain

@@ -85,6 +85,8 @@ def contact(
         locked = mu * Vx / max(speed, 1e-30) * fade
         lengthwise = float(np.clip(locked, -lengthwise, lengthwise))
         left = np.sqrt(max(mu**2 - lengthwise**2, 0.0))
+        slide = brake * mu * Vy / max(speed, 1e-30) * fade
+        sideways = max(sideways, slide) if Vy > 0 else min(sideways, slide)
         sideways = float(np.clip(sideways, -left, left))
     flat = -load * (lengthwise * heading + sideways * right)
     force = to_ground.T @ [*flat, -load]
