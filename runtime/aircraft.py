@@ -6,16 +6,16 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from dataclasses import replace as _replace
-from functools import cache, cached_property, partial
+from functools import cache, cached_property, partial, wraps
 from pathlib import Path
 from textwrap import shorten
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
 from .arrays import FloatArray, broadcast, common_shape, physical, stored
-from .errors import GroundrollError, shown
+from .errors import GroundrollError, mapped, shown
 from .evaluate import elementwise
 from .generated import build
 from .listing import Listed
@@ -23,6 +23,8 @@ from .memory import check_memory
 from .models import ModelLike, as_model
 from .names import FUNCTIONS, PARAMETERS, symbol
 from .parameters import NotGivenError, parameters_of, stacked
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 #: What follows from others where it is not given.
 FOLLOWS = frozenset(
@@ -121,14 +123,16 @@ class Aircraft(Listed):
     own: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        values = self.given
+        values = mapped("given of an aircraft", self.given)
+        if not isinstance(self.name, str):
+            raise GroundrollError(f"the name of an aircraft must be a text, not {shown(self.name)}")
         if not isinstance(values, _Checked):
             allowed, where = parameter_symbols(), f"aircraft {shown(self.name)}"
             named = {symbol(s, "parameter", allowed, where): v for s, v in values.items()}
             values = {key: _checked(key, value) for key, value in named.items()}
         common_shape(values)
         object.__setattr__(self, "given", MappingProxyType(values))
-        object.__setattr__(self, "own", MappingProxyType(dict(self.own)))
+        object.__setattr__(self, "own", MappingProxyType(dict(mapped("own", self.own))))
 
     def __reduce__(self) -> tuple[Any, ...]:
         fields = {**vars(self), "given": dict(self.given), "sources": dict(self.sources)}
@@ -345,6 +349,24 @@ class Aircraft(Listed):
             mark = "estimate: " if source.estimate else ""
             origin = shorten(mark + source.text, 60) if s in self.given else "follows"
             yield s, f"{_short(self[s]):>14}", q.unit, q.name, origin
+
+
+def of_aircraft(function: F) -> F:
+    """Let a function refuse in words what is no aircraft in the place of its first argument."""
+
+    missing = object()  # Python itself complains of that
+
+    @wraps(function)
+    def checked(*arguments: Any, **named: Any) -> Any:
+        plane = arguments[0] if arguments else named.get("plane", missing)
+        if plane is not missing and not isinstance(plane, Aircraft):
+            raise GroundrollError(
+                f"{function.__name__} takes an aircraft, such as Aircraft.load('brott'), not"
+                f" {shown(plane)}"
+            )
+        return function(*arguments, **named)
+
+    return cast(F, checked)
 
 
 def packaged() -> tuple[str, ...]:

@@ -74,6 +74,14 @@ def in_si(name: str, value: Any, unit: str = "1") -> FloatArray:
         raise _no_number(name, value) from problem
 
 
+def single(name: str, value: Any, unit: str = "1") -> float:
+    """`value` as one number."""
+    number = finite(name, value, unit)
+    if number.ndim:
+        raise GroundrollError(f"{name} must be one number, not {shown(value)}")
+    return float(number)
+
+
 def positive(name: str, value: Any, unit: str = "1") -> float:
     """`value` as one positive number."""
     number = finite(name, value, unit)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .aircraft import Aircraft, parameter_symbols
+from .aircraft import Aircraft, of_aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError, unknown
 from .fates import FATES, ByteArray, Criterion, fates
@@ -148,6 +148,7 @@ class Basin(Pictured, Result):
         )
 
 
+@of_aircraft
 def basin(
     plane: Aircraft,
     x: tuple[str, Any],

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from .aircraft import FOLLOWS, Aircraft, Source, parameter_symbols
+from .aircraft import FOLLOWS, Aircraft, Source, of_aircraft, parameter_symbols
 from .arrays import FloatArray
 from .consistency import as_written, contradictions, following, in_words, words
 from .errors import GroundrollError
@@ -102,6 +102,7 @@ class Check:
         return "\n".join(lines)
 
 
+@of_aircraft
 def check(plane: Aircraft) -> Check:
     """Explain what is known of an aircraft, what it lacks, and what looks unusual.
 

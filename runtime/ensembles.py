@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from .aircraft import Aircraft
+from .aircraft import Aircraft, of_aircraft
 from .arrays import FloatArray, finite, positive, whole
 from .ensemble_result import Ensemble, Named
 from .errors import GroundrollError
@@ -31,6 +31,7 @@ _LEFT = STATUS.index("left the range")
 _CHUNK = 65_536
 
 
+@of_aircraft
 def ensemble(
     plane: Aircraft,
     t: float | str = 5.0,

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Collection, Iterable, Sequence
-from typing import Any
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import Any, TypeVar
+
+T = TypeVar("T")
 
 #: Characters of what was given that a message shows.
 _LONG = 80
@@ -79,6 +81,20 @@ def one_of(kind: str, name: Any, allowed: Collection[str], where: str = "") -> s
     if isinstance(name, str) and name in allowed:
         return name
     raise unknown(kind, name, allowed, where)
+
+
+def mapped(what: str, value: Any) -> Mapping[Any, Any]:
+    """A value that is a mapping of names to values; otherwise the error says what it is."""
+    if not isinstance(value, Mapping):
+        raise GroundrollError(f"{what} must map names to values, not {shown(value)}")
+    return value
+
+
+def of_kind(what: str, value: T, kind: type[Any]) -> T:
+    """A value of a class; otherwise the error says what it is."""
+    if not isinstance(value, kind):
+        raise GroundrollError(f"{what} must be of the class {kind.__name__}, not {shown(value)}")
+    return value
 
 
 def shown(value: Any) -> str:

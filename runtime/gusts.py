@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from .aircraft import Aircraft
+from .aircraft import Aircraft, of_aircraft
 from .arrays import FloatArray, finite
 from .evaluate import columns
 from .models import as_model
@@ -47,6 +47,7 @@ def of_time(
     return signals.of_time(force, breaks, end, unit="N")
 
 
+@of_aircraft
 def crosswind(plane: Aircraft, wind: Any) -> FloatArray:
     """The force of a wind across the runway on the tail of an aircraft that rolls straight.
 

@@ -10,7 +10,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from .arrays import FloatArray, finite
+from .arrays import FloatArray, finite, single
 from .errors import GroundrollError, one_of
 from .memory import check_memory
 from .models import ModelLike, as_model
@@ -69,7 +69,7 @@ def integrator(
     """
     as_model(model)
     one_of("method", method, METHODS)
-    longest = _LONGEST[method] if step is None else float(finite("step", step, "s"))
+    longest = _LONGEST[method] if step is None else single("step", step, "s")
     if longest <= 0:
         raise GroundrollError(f"step must be positive, not {longest}")
     return _integrator(model, method, tuple(_grid(t).tolist()), longest, bool(piecewise))

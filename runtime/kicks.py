@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from .aircraft import Aircraft
+from .aircraft import Aircraft, of_aircraft
 from .arrays import FloatArray, broadcast, finite
 from .errors import GroundrollError
 from .evaluate import elementwise
@@ -127,6 +127,7 @@ class Survival(Listed, Result):
         yield from extrapolated(self.aircraft)
 
 
+@of_aircraft
 def survival(
     plane: Aircraft,
     *,

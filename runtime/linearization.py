@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .aircraft import Aircraft
+from .aircraft import Aircraft, of_aircraft
 from .arrays import FloatArray
 from .errors import GroundrollError, beyond
 from .listing import Listed, span, unit_of
@@ -227,6 +227,7 @@ class Linearization(Listed, Result):
             yield name, span(getattr(self, name)), unit_of(quantity_of(name))
 
 
+@of_aircraft
 def linearize(
     plane: Aircraft,
     model: ModelLike = "nonlinear",

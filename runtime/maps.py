@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from .aircraft import Aircraft, parameter_symbols
+from .aircraft import Aircraft, of_aircraft, parameter_symbols
 from .arrays import FloatArray, finite
 from .errors import GroundrollError, one_of, unknown
 from .listing import Pictured
@@ -183,6 +183,7 @@ class StabilityMap(Pictured, Result):
         )
 
 
+@of_aircraft
 def stability_map(
     plane: Aircraft,
     x: tuple[str, Any],

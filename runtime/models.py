@@ -102,7 +102,8 @@ def symbol_of(
     """
     if isinstance(name, str) and name in allowed:
         return name
-    found = next((s for s in allowed if quantities[s].name == name), None)
+    known = isinstance(name, str)
+    found = next((s for s in allowed if known and quantities[s].name == name), None)
     if found is not None:
         return found
     choices = [choice for s in allowed for choice in (s, quantities[s].name)]

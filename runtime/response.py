@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .aircraft import Aircraft
-from .arrays import FloatArray, finite, positive, whole
+from .aircraft import Aircraft, of_aircraft
+from .arrays import FloatArray, finite, positive, single, whole
 from .errors import GroundrollError
 from .generated import Quantity
 from .linearization import Linearization, linearize
@@ -288,7 +288,7 @@ def step_response(
     lin, output, input = _asked(of, names, at, values, "step_response")
     B, C, D, channel = _channel(lin, output, input)
     duration, count = positive("t", t, "s"), whole("samples", samples, 2)
-    height = float(finite("size", size, as_model(lin.model).quantities[channel[1]].unit))
+    height = single("size", size, as_model(lin.model).quantities[channel[1]].unit)
     times, n = np.linspace(0.0, duration, count), len(lin.states)
     # the state with the constant input appended: x' = A x + B u, u' = 0
     augmented = np.zeros((*B.shape[:-1], n + 1, n + 1))
@@ -348,6 +348,7 @@ class RootLocus(Pictured):
         )
 
 
+@of_aircraft
 def root_locus(
     plane: Aircraft,
     parameter: str,

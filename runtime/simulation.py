@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from .aircraft import Aircraft
+from .aircraft import Aircraft, of_aircraft
 from .arrays import FloatArray, positive, whole
 from .errors import GroundrollError
 from .listing import Listed, span, unit_of
@@ -174,6 +174,7 @@ class Trajectory(Listed, Result):
             yield s, q.name, peak, end, unit_of(q)
 
 
+@of_aircraft
 def simulate(
     plane: Aircraft,
     model: ModelLike = "nonlinear",

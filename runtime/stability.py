@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .aircraft import Aircraft
+from .aircraft import Aircraft, of_aircraft
 from .arrays import FloatArray, physical
 from .errors import GroundrollError, one_of
 from .evaluate import elementwise
@@ -113,6 +113,7 @@ class Margins(Numbers, of={name: quantity_of(name) for name in CLOSED_FORMS}):
     speed_margin: FloatArray
 
 
+@of_aircraft
 def margins(plane: Aircraft, *, speed: Any = None) -> Margins:
     """Every margin of the linear model at a speed, in closed form.
 
@@ -190,6 +191,7 @@ class SpeedWindow(Numbers, of={name: _LINEAR[s] for name, s in _WINDOW.items()})
     worst_decay_rate: FloatArray
 
 
+@of_aircraft
 def speed_window(plane: Aircraft, *, speeds: tuple[Any, Any] = SPEEDS) -> SpeedWindow:
     """The speeds at which the determinant of the linear model changes sign, and the worst speed.
 
@@ -264,6 +266,7 @@ class GearLimit(Numbers, of={"lost": _LINEAR["a"], "regained": _LINEAR["a"]}):
     regained: FloatArray
 
 
+@of_aircraft
 def gear_limit(plane: Aircraft, *, speed: Any = None, loads: str = "fixed") -> GearLimit:
     """How far ahead of the CG the main gear may stand at a speed.
 
@@ -319,6 +322,7 @@ class GearEnvelope(Numbers, of={"lost": _LINEAR["a"], "speed": _LINEAR["u"]}):
     speed: FloatArray
 
 
+@of_aircraft
 def gear_envelope(
     plane: Aircraft, *, speeds: tuple[Any, Any] = SPEEDS, loads: str = "fixed"
 ) -> GearEnvelope:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from .aircraft import Aircraft, parameter_symbols
+from .aircraft import Aircraft, of_aircraft, parameter_symbols
 from .arrays import FloatArray, check_out, common_shape
 from .chunks import thread_count
 from .errors import GroundrollError, one_of, unknown
@@ -88,6 +88,7 @@ class Sweep(Listed, Result, Mapping[str, FloatArray]):
             yield name, span(array), unit_of(_quantity(name))
 
 
+@of_aircraft
 def sweep(
     plane: Aircraft,
     of: Iterable[str] = _MODES,

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from .arrays import FloatArray, finite
+from .arrays import FloatArray, finite, single
 from .errors import GroundrollError, one_of
 from .evaluate import elementwise
 from .generated import build
@@ -123,7 +123,7 @@ def compare(
     Comparison
         One `Quality` for each set; its repr is a table.
     """
-    chosen = float(finite("load", np.median(data.loads) if load is None else load, "N"))
+    chosen = single("load", np.median(data.loads) if load is None else load, "N")
     if chosen <= 0:
         raise GroundrollError(f"load must be positive, not {chosen} N")
     rows = {name: _quality(data, name, parameters, chosen) for name, parameters in sets.items()}

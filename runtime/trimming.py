@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .aircraft import Aircraft
-from .arrays import FloatArray, finite
+from .aircraft import Aircraft, of_aircraft
+from .arrays import FloatArray, finite, single
 from .errors import GroundrollError, beyond
 from .evaluate import columns, elementwise
 from .listing import Listed
@@ -147,6 +147,7 @@ class Trim(Listed, Result):
             yield f"v {point.v:.5g} m/s", f"r {point.r:.5g} rad/s", alpha, verdict
 
 
+@of_aircraft
 def trim(
     plane: Aircraft,
     model: ModelLike = "nonlinear",
@@ -188,7 +189,7 @@ def trim(
     GroundrollError
         For unknown names, values that cannot be, or a range that is none.
     """
-    widest = float(finite("slip", slip, "rad"))
+    widest = single("slip", slip, "rad")
     if not 0 < widest < math.pi / 2:
         raise GroundrollError(f"slip must be between 0 and a right angle (pi/2), not {slip}")
     aircraft = plane if speed is None else plane.replace(u=speed)

@@ -32,7 +32,7 @@ class _Limit(options.ParamType):
     name = "name=value"
 
     def convert(self, value: Any, param: Any, ctx: Any) -> tuple[str, float]:
-        from groundroll.arrays import finite
+        from groundroll.arrays import single
         from groundroll.errors import GroundrollError
         from groundroll.names import symbol
 
@@ -44,7 +44,7 @@ class _Limit(options.ParamType):
         model = MODELS["nonlinear"]
         try:
             key = symbol(name, "name", (*model.states, *model.outputs))
-            return key, float(finite(name, text, QUANTITIES[key].unit))
+            return key, single(name, text, QUANTITIES[key].unit)
         except GroundrollError as problem:
             self.fail(str(problem), param, ctx)
 

@@ -66,7 +66,7 @@ def _text(lin: Linearization) -> str:
         f"{lin.aircraft.name}, {as_model(lin.model).name} model, {number(lin.aircraft['u'])} m/s,"
         f" v = {number(lin.at.v)} m/s, r = {number(lin.at.r)} rad/s: {verdict}"
     )
-    modes = [["eigenvalues", _pair(lin.eigenvalues), "1/s"]]
+    modes = [["eigenvalues", _spread(lin.eigenvalues), "1/s"]]
     for name, unit in _SCALARS.items():
         modes.append([name, number(getattr(lin, name)), "" if unit == "1" else unit])
     parts = [head, table(["mode", "value", "unit"], modes)]
@@ -90,11 +90,11 @@ def _matrices(lin: Linearization) -> list[tuple[str, list[str], tuple[str, ...]]
     ]
 
 
-def _pair(eigenvalues: Any) -> str:
-    first, second = eigenvalues
-    if first.imag:
-        return f"{number(first.real)} ± {number(abs(first.imag))} i"
-    return f"{number(first.real)}, {number(second.real)}"
+def _spread(eigenvalues: Any) -> str:
+    """Eigenvalues in a row; of a complex pair, whose first has the positive part, both at once."""
+    real = [number(x.real) for x in eigenvalues if not x.imag]
+    pairs = [f"{number(x.real)} ± {number(x.imag)} i" for x in eigenvalues if x.imag > 0]
+    return ", ".join([*pairs, *real])
 
 
 def _rows(lin: Linearization) -> list[list[Any]]:

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from groundroll.arrays import FloatArray, finite
+from groundroll.arrays import FloatArray, finite, single
 from groundroll.errors import GroundrollError
 from groundroll.units import parts, to_si
 
@@ -418,7 +418,7 @@ def of_time(
         raise GroundrollError(f"a signal must be a function of an array of times, not {function!r}")
     label = f"function {getattr(function, '__name__', type(function).__name__)}"
     jumps = tuple(np.unique(finite("breaks", breaks, "s")).tolist())
-    last = np.inf if end is None else float(finite("end", end, "s"))
+    last = np.inf if end is None else single("end", end, "s")
     return OfTime(label, unit, function, jumps, last)
 
 

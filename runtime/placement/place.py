@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft
-from groundroll.errors import GroundrollError
+from groundroll.aircraft import Aircraft, of_aircraft
+from groundroll.errors import GroundrollError, of_kind
 from groundroll.models import ModelLike
 from groundroll.progress import Progress, counted
 from groundroll.validity import extrapolated
@@ -30,6 +30,7 @@ from .starts import begin
 _SINGULAR = 1e-9
 
 
+@of_aircraft
 def place_gear(
     plane: Aircraft,
     envelope: Envelope | None = None,
@@ -99,8 +100,8 @@ def place_gear(
     """
     case = resolve(
         plane,
-        envelope or Envelope(),
-        limits or Limits(),
+        Envelope() if envelope is None else of_kind("envelope", envelope, Envelope),
+        Limits() if limits is None else of_kind("limits", limits, Limits),
         objective,
         variables=variables,
         layout=layout,
