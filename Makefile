@@ -5,12 +5,13 @@ VENV   ?= .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed
 EXTRA  ?= dev
+DOSE   ?= 100000
 # those beside the oldest that is supported, as far as they run here
 NEWER  := python3.12 python3.13 python3.14
 PYTHONS ?= $(shell for p in $(NEWER); do if $$p -c "" 2>/dev/null; then echo $$p; fi; done)
 
 .DEFAULT_GOAL := study
-.PHONY: study derive compile test lint types drift unit pythons release docs bench clean help
+.PHONY: study derive compile test lint types drift unit pythons release docs bench fuzz clean help
 
 study: compile  ## every table and figure of the thesis, into ./study (the default)
 	@echo "running the study ..."
@@ -65,6 +66,9 @@ docs: $(STAMP)  ## the documentation, into docs/_build
 bench: $(STAMP)  ## speed, side by side with other tools; not part of the tests
 	$(BIN)/python tests/benchmarks/run.py
 	$(BIN)/python tests/benchmarks/explorer.py
+
+fuzz: $(STAMP)  ## attack files, calls, command lines and results: make fuzz DOSE=1000 FUZZ="--only calls"
+	cd tests && $(CURDIR)/$(BIN)/python -m fuzz --dose $(DOSE) $(FUZZ)
 
 clean:  ## remove what was built here
 	rm -rf build study *.egg-info .mypy_cache .ruff_cache .pytest_cache .hypothesis

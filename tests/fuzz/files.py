@@ -20,18 +20,6 @@ from groundroll.names import MODELS, PARAMETERS
 from . import mutation, truth
 from .harness import Case
 
-#: Of each unit of a parameter, some that people write.
-_WRITTEN = {
-    "kg": ("kg", "lb", "slug", "g"),
-    "m": ("m", "in", "ft", "mm"),
-    "m^2": ("m^2", "ft^2", "in**2"),
-    "m/s": ("m/s", "kt", "km/h", "mph", "ft/s"),
-    "N": ("N", "lbf", "kN"),
-    "N/rad": ("N/rad", "N/deg", "lbf/deg"),
-    "kg m^2": ("kg m^2", "slug ft^2", "kg*m^2"),
-    "rad": ("rad", "deg", "mrad"),
-    "1/rad": ("1/rad", "1/deg"),
-}
 _NAMES = {name: q for s, q in PARAMETERS.items() for name in (s, q.name)}
 #: What stands for many parameters at once, and is not judged here.
 _WORDS = frozenset(("table", "size", "pressure", "rated_pressure", "surface"))
@@ -82,7 +70,7 @@ def _drawn(rng: np.random.Generator, model: str) -> str:
     lines = [f'title = "{model}"', f"[{mutation.pick(rng, ('airframe', 'any', 'a.b'))}]"]
     for s in map(str, chosen):
         q = PARAMETERS[s]
-        unit = str(mutation.pick(rng, _WRITTEN.get(q.unit, (q.unit,))))
+        unit = str(mutation.pick(rng, truth.WRITTEN.get(q.unit, (q.unit,))))
         number = f"{float(rng.uniform(0.1, 50)):.4g}"
         written = number if rng.random() < 0.2 else f'"{number} {unit}"'
         if unit == "1":

@@ -5,6 +5,18 @@ from __future__ import annotations
 import math
 import re
 
+#: Of each unit of a parameter, some that people write.
+WRITTEN = {
+    "kg": ("kg", "lb", "slug", "g"),
+    "m": ("m", "in", "ft", "mm"),
+    "m^2": ("m^2", "ft^2", "in**2"),
+    "m/s": ("m/s", "kt", "km/h", "mph", "ft/s"),
+    "N": ("N", "lbf", "kN"),
+    "N/rad": ("N/rad", "N/deg", "lbf/deg"),
+    "kg m^2": ("kg m^2", "slug ft^2", "kg*m^2"),
+    "rad": ("rad", "deg", "mrad"),
+    "1/rad": ("1/rad", "1/deg"),
+}
 #: Unit -> how many of kg, m, s and rad, and the powers of these.
 _UNITS: dict[str, tuple[float, tuple[int, int, int, int]]] = {
     **{n: (f, (0, 1, 0, 0)) for n, f in {"m": 1.0, "in": 0.0254, "ft": 0.3048}.items()},
