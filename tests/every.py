@@ -67,13 +67,19 @@ class Case:
     ----------
     pack : Model
     derived : Derivation
-    typical : mapping of str to float
-        The parameters of an aircraft or a car.
+    plane : Aircraft
+        An aircraft, or a car.
     """
 
     pack: Model
     derived: Derivation
-    typical: Mapping[str, float]
+    plane: gr.Aircraft
+
+    @cached_property
+    def typical(self) -> Mapping[str, float]:
+        """Its parameters."""
+        p = self.plane.parameters(self.pack)
+        return dict(zip(self.pack.parameters, map(float, p), strict=True))
 
     @property
     def groups(self) -> dict[str, tuple[sp.Symbol, ...]]:
@@ -173,8 +179,7 @@ def case(name: str) -> Case:
     else:
         pack, derived = Model.load(name), derivations()[name]
         plane = gr.Aircraft.load("brott" if name in _THESIS else "cessna-170")
-    p = plane.parameters(pack)
-    return Case(pack, derived, dict(zip(pack.parameters, map(float, p), strict=True)))
+    return Case(pack, derived, plane)
 
 
 _THESIS = ("linear", "nonlinear")

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from every import NAMES, Case, case
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import (
@@ -18,6 +19,7 @@ from oracles import (
 )
 from scipy.integrate import solve_ivp
 
+import groundroll as gr
 from groundroll.generated import build, integrators, load
 
 NO_INPUT = np.zeros(1)
@@ -134,3 +136,65 @@ def test_rk45_follows_an_aircraft_that_spins():
     """Trial 3 after 5 s, as in Fig. 4.7: the linear model has turned 250 times by then."""
     p = parameters("linear", **TRIALS[3].changes)
     call(load("linear_rk45"), state(v=0.1), NO_INPUT, p, 5.0)
+
+
+# --- Every model ----------------------------------------------------------------------------
+
+every = pytest.mark.parametrize("name", NAMES)
+
+
+def followed(model: Case, point: Point, times: Array) -> Array:
+    """States of any model by SciPy, stiff or not, a column for each time."""
+    x, u, p = point
+    run = solve_ivp(
+        lambda t, x: model.rates(x, u, p),
+        (0.0, times[-1]),
+        x,
+        "DOP853",
+        times,
+        rtol=1e-12,
+        atol=1e-13,
+    )
+    assert run.success
+    return run.y
+
+
+@every
+def test_rk45_of_every_model_is_right_to_1e_8(name: str):
+    model, h = case(name), 0.2
+    step = model.pack.function("rk45")
+    for point in model.some(3, seed=7):
+        expected = followed(model, point, np.linspace(0.0, h, 5))
+        error = abs(call(step, *point, h) - expected[:, -1])
+        assert (error <= 1e-8 * (abs(expected).max(axis=1) + 1e-2)).all()
+
+
+@every
+def test_rk4_of_every_model_takes_the_classical_step(name: str):
+    model, h = case(name), 1e-3
+    for x, u, p in model.some(3, seed=8):
+        f = model.rates
+        k1 = f(x, u, p)
+        k2 = f(x + h / 2 * k1, u, p)
+        k3 = f(x + h / 2 * k2, u, p)
+        k4 = f(x + h * k3, u, p)
+        change = h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        found = call(model.pack.function("rk4"), x, u, p, h) - x
+        np.testing.assert_allclose(found, change, rtol=1e-9, atol=1e-12 * abs(x).max())
+
+
+@every
+def test_every_model_is_simulated_as_scipy_does(name: str):
+    """By the kernels, with all inputs constant, outputs too."""
+    model = case(name)
+    (x, u, _), times = model.some(1, seed=9)[0], np.linspace(0.0, 0.5, 11)
+    p = model.plane.parameters(model.pack)
+    start = {f"{s}0": value for s, value in zip(model.pack.states, x, strict=True)}
+    inputs = dict(zip(model.pack.inputs, u, strict=True))
+    run = gr.simulate(model.plane, model.pack, t=0.5, samples=11, tol=1e-10, **start, **inputs)
+    expected = followed(model, (x, u, p), times)
+    for s, row in zip(model.pack.states, expected, strict=True):
+        np.testing.assert_allclose(run[s], row, rtol=1e-8, atol=1e-8 * (1 + abs(row).max()))
+    shown = np.array([model.outputs(state, u, p) for state in expected.T]).T
+    for name, row in zip(model.pack.outputs, shown, strict=True):
+        np.testing.assert_allclose(run[name], row, rtol=1e-6, atol=1e-6 * (1 + abs(row).max()))
