@@ -19,7 +19,7 @@ from own_models import HERE, PLANES, own
 from own_models import NAMES as OWN
 
 import groundroll as gr
-from groundroll.derive.core.equation import needed
+from groundroll.derive.core.equation import Chain, needed
 from groundroll.derive.core.model import Derivation
 from groundroll.derive.core.quantity import Constant
 from groundroll.derive.emit.catalogue import packs
@@ -140,16 +140,26 @@ _NONE = np.zeros(0), np.zeros(0)
 
 
 def program(
-    model: Derivation,
+    model: Derivation, results: Iterable[sp.Expr], modules: str = "numpy"
+) -> Callable[..., list[Any]]:
+    """Expressions in the quantities of a model, of its states, inputs and parameters."""
+    arguments = (*model.states, *model.inputs, *model.parameters)
+    return evaluated(arguments, model.chain, results, modules)
+
+
+def evaluated(
+    arguments: Iterable[sp.Symbol],
+    chain: Chain,
     results: Iterable[sp.Expr],
     modules: str = "numpy",
     constant: Callable[[Constant], float] = lambda c: c.value,
 ) -> Callable[..., list[Any]]:
-    """Expressions in the quantities of a model's chain, computed link by link.
+    """Expressions in the quantities of a chain, computed link by link.
 
     Parameters
     ----------
-    model : Derivation
+    arguments : iterable of Symbol
+    chain : tuple of Equation
     results : iterable of Expr
     modules : str
         Whose numbers, as `sympy.lambdify` has it.
@@ -158,14 +168,12 @@ def program(
     """
 
     def plain(expr: sp.Expr) -> sp.Expr:
-        numbers = {c: sp.Float(constant(c), 17) for c in expr.atoms(Constant)}
-        return expr.xreplace(numbers)
+        return expr.xreplace({c: sp.Float(constant(c), 17) for c in expr.atoms(Constant)})
 
     expressions = [plain(sp.sympify(e)) for e in results]
-    chain = [(e.lhs, plain(e.rhs)) for e in needed(model.chain, expressions)]
-    arguments = (*model.states, *model.inputs, *model.parameters)
+    links = [(e.lhs, plain(e.rhs)) for e in needed(chain, expressions)]
     made: Callable[..., list[Any]] = sp.lambdify(
-        arguments, expressions, modules=modules, cse=lambda each: (chain, each)
+        list(arguments), expressions, modules=modules, cse=lambda each: (links, each)
     )
     return made
 
