@@ -164,10 +164,6 @@ x, y = sp.symbols("x y", real=True)
         *(x**y, sp.cbrt(x), 2**x, x ** sp.Rational(3, 2)),
         *(sp.oo, sp.nan, sp.zoo, sp.Derivative(sp.Function("f")(x), x), sp.Integral(x, x)),
         *(sp.Matrix([x]), sp.Eq(x, y), x > y, sp.Piecewise((x, x > 0))),
-        *(
-            sp.Piecewise((x, sp.Ne(x, y)), (y, True)),
-            sp.Piecewise((x, (x > 0) & (y > 0)), (y, True)),
-        ),
     ],
     ids=str,
 )

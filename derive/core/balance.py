@@ -47,7 +47,11 @@ def _depending(chain: Chain, on: set[Quantity]) -> Chain:
 
 
 def _solved(name: str, body: Body, sums: Sequence[sp.Expr]) -> Chain:
-    """The accelerations where forces are linear in them: an effective mass matrix, inverted."""
+    """The accelerations where forces are linear in them: an effective mass matrix, eliminated.
+
+    Forward elimination and back substitution, a link for each entry: a mass matrix is positive
+    definite, so no pivot vanishes.
+    """
     unknown = body.accelerations
     rows = [n for n, speed in enumerate(SPEEDS) if speed in body.speeds]
     residual = [body.inertial()[n] - sums[n] for n in rows]
@@ -55,46 +59,83 @@ def _solved(name: str, body: Body, sums: Sequence[sp.Expr]) -> Chain:
     if matrix.free_symbols & set(unknown):
         raise ValueError(f"{name}: a force is not linear in the accelerations")
     rest = [-e.xreplace(dict.fromkeys(unknown, sp.Integer(0))) for e in residual]
-    mass, load = _names(body, rows)
-    chain = [
-        Equation(mass[n], sp.expand(matrix[n]), "effective mass")
-        for n in range(len(mass))
-        if matrix[n] != 0
-    ]
-    chain += [Equation(q, e, "Eq. 4.8 at no acceleration") for q, e in zip(load, rest, strict=True)]
-    symbols = sp.Matrix(
-        len(rows), len(rows), [mass[n] if matrix[n] != 0 else 0 for n in range(len(mass))]
-    )
-    solution = symbols.LUsolve(sp.Matrix(load))
-    chain += [
-        Equation(q, sp.together(e), "Eq. 4.9") for q, e in zip(unknown, solution, strict=True)
-    ]
-    return tuple(chain)
+    elimination = _Elimination(rows)
+    for n, row in enumerate(rows):
+        for c, column in enumerate(rows):
+            elimination.define_mass(row, column, sp.expand(matrix[n, c]))
+        elimination.define_load(row, rest[n])
+    elimination.forward()
+    return (*elimination.chain, *elimination.back(unknown))
 
 
-def _names(body: Body, rows: Sequence[int]) -> tuple[list[Quantity], list[Quantity]]:
-    """Entries of the effective mass matrix, and the loads at no acceleration."""
-    units = {(0, 0): "kg", (0, 1): "kg m", (1, 0): "kg m", (1, 1): "kg m^2"}
-    mass = [
-        Quantity(
-            f"mass_{SPEEDS[n]}{SPEEDS[c]}",
-            f"effective_mass_{SPEEDS[n]}{SPEEDS[c]}",
-            units[n > 2, c > 2],
-            f"resistance along {SPEEDS[n]} to an acceleration along {SPEEDS[c]}",
-        )
-        for n in rows
-        for c in rows
-    ]
-    load = [
-        Quantity(
-            f"rest_{SPEEDS[n]}",
-            f"rest_{SPEEDS[n]}",
-            "N m" if n > 2 else "N",
-            f"sum along {SPEEDS[n]} at no acceleration",
-        )
-        for n in rows
-    ]
-    return mass, load
+class _Elimination:
+    """Named entries of a mass matrix and of a load, and the chain that eliminates them."""
+
+    def __init__(self, rows: Sequence[int]) -> None:
+        self.rows = rows
+        self.chain: list[Equation] = []
+        self._mass: dict[tuple[int, int], sp.Expr] = {}
+        self._load: dict[int, sp.Expr] = {}
+
+    def define_mass(self, row: int, column: int, value: sp.Expr, less: int | None = None) -> None:
+        """Resistance along one axis to an acceleration along another, with what is eliminated."""
+        where = f"{SPEEDS[row]}{SPEEDS[column]}" + _less(less)
+        meaning = f"resistance along {SPEEDS[row]} to an acceleration along {SPEEDS[column]}"
+        unit = _MASS[row > 2, column > 2]
+        named = Quantity(f"mass_{where}", f"effective_mass_{where}", unit, meaning + _free(less))
+        self._mass[row, column] = self._define(named, value)
+
+    def define_load(self, row: int, value: sp.Expr, less: int | None = None) -> None:
+        """Sum along an axis at no acceleration."""
+        where = f"{SPEEDS[row]}" + _less(less)
+        unit, meaning = "N m" if row > 2 else "N", f"sum along {SPEEDS[row]} at no acceleration"
+        named = Quantity(f"rest_{where}", f"rest_{where}", unit, meaning + _free(less))
+        self._load[row] = self._define(named, value)
+
+    def _define(self, named: Quantity, value: sp.Expr) -> sp.Expr:
+        if value.is_Number or value.is_Symbol:
+            return value
+        self.chain.append(Equation(named, value, "effective mass"))
+        return named
+
+    def forward(self) -> None:
+        """Take each acceleration out of the rows below its own."""
+        for n, pivot in enumerate(self.rows):
+            for row in self.rows[n + 1 :]:
+                if self._mass[row, pivot] == 0:
+                    continue
+                part = self._mass[row, pivot] / self._mass[pivot, pivot]
+                for column in self.rows[n + 1 :]:
+                    if self._mass[pivot, column] != 0:
+                        less = self._mass[row, column] - part * self._mass[pivot, column]
+                        self.define_mass(row, column, less, pivot)
+                self.define_load(row, self._load[row] - part * self._load[pivot], pivot)
+
+    def back(self, unknown: Sequence[Quantity]) -> Chain:
+        """The accelerations, the last first."""
+        found = dict(zip(self.rows, unknown, strict=True))
+        solved = []
+        for n, row in reversed(list(enumerate(self.rows))):
+            known = sum((self._mass[row, c] * found[c] for c in self.rows[n + 1 :]), sp.S.Zero)
+            value = (self._load[row] - known) / self._mass[row, row]
+            solved.append(Equation(found[row], value, "Eq. 4.9"))
+        return tuple(solved)
+
+
+_MASS = {
+    (False, False): "kg",
+    (False, True): "kg m",
+    (True, False): "kg m",
+    (True, True): "kg m^2",
+}
+
+
+def _less(pivot: int | None) -> str:
+    return "" if pivot is None else f"_less_{SPEEDS[pivot]}"
+
+
+def _free(pivot: int | None) -> str:
+    return "" if pivot is None else f", {SPEEDS[pivot]} and those before it free"
 
 
 def loads(

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 from sympy.printing.codeprinter import CodePrinter
 
 from groundroll.derive.core.equation import Chain, Equation, needed
@@ -34,6 +35,11 @@ class CasadiPrinter(CodePrinter):  # type: ignore[misc]
         "Abs": "ca.fabs",
         "Max": "ca.fmax",
         "Min": "ca.fmin",
+    }
+    _logic: ClassVar[dict[str, str]] = {
+        "And": "ca.logic_and",
+        "Or": "ca.logic_or",
+        "Not": "ca.logic_not",
     }
 
     def __init__(self) -> None:
@@ -65,9 +71,16 @@ class CasadiPrinter(CodePrinter):  # type: ignore[misc]
         return text
 
     def _condition(self, condition: sp.Basic) -> str:
-        if not isinstance(condition, sp.Gt | sp.Ge | sp.Lt | sp.Le):
+        if condition.is_Relational:
+            return f"{self._print(condition.lhs)} {condition.rel_op} {self._print(condition.rhs)}"
+        name = condition.func.__name__
+        if name not in self._logic:
             raise NotImplementedError(f"{condition} is no comparison of two numbers")
-        return f"{self._print(condition.lhs)} {condition.rel_op} {self._print(condition.rhs)}"
+        first, *rest = map(self._condition, sorted(condition.args, key=sp.default_sort_key))
+        text = first if rest else f"ca.logic_not({first})"
+        for other in rest:
+            text = f"{self._logic[name]}({text}, {other})"
+        return text
 
     def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
         if expr.exp == sp.Rational(1, 2):
@@ -247,7 +260,7 @@ def _split_trivial(
     trivial: dict[sp.Symbol, sp.Expr] = {}
     for symbol, expr in repeated:
         definition = expr.xreplace(trivial)
-        is_worth_it = definition.count_ops() > 1 and not definition.is_Relational
+        is_worth_it = definition.count_ops() > 1 and not isinstance(definition, Boolean)
         (kept if is_worth_it else trivial)[symbol] = definition
     return kept, trivial
 
