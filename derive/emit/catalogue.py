@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -134,7 +134,7 @@ def _equations(chain: Chain) -> Iterator[str]:
 
 def packs() -> tuple[Pack, ...]:
     """Everything that ships, derived afresh."""
-    return (_aircraft(), _linear(), _nonlinear(), *map(_rolling, (rollout(), landing_roll())))
+    return tuple(derived() for derived in SHIPPED.values())
 
 
 def _aircraft() -> Pack:
@@ -323,3 +323,12 @@ _SIZE = (
 )
 _MF = "Pacejka, Tire and Vehicle Dynamics, 3rd edition, pure lateral slip without camber."
 _KICK = "A side impulse changes the motion before any tire can answer."
+
+#: What ships: names of packs, and how each is derived.
+SHIPPED: dict[str, Callable[[], Pack]] = {
+    "aircraft": _aircraft,
+    "linear": _linear,
+    "nonlinear": _nonlinear,
+    "rollout": lambda: _rolling(rollout()),
+    "landing_roll": lambda: _rolling(landing_roll()),
+}

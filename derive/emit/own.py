@@ -9,7 +9,7 @@ from types import ModuleType
 
 from groundroll.derive.core.model import Model, ModelError
 
-from .catalogue import Pack, packs
+from .catalogue import SHIPPED, Pack
 from .pack import pack_files, write
 
 
@@ -32,7 +32,7 @@ def derive_file(path: Path, out: Path, name: str = "") -> Pack:
         holds something else than a pack.
     """
     model = find_model(path, name)
-    if model.name in {pack.name for pack in packs()}:
+    if model.name in SHIPPED:
         raise ModelError(f"{path}: {model.name!r} is a model that ships; call yours otherwise")
     if out.exists() and not out.is_dir():
         raise ModelError(f"{out} is a file; a pack is a folder")
