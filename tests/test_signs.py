@@ -11,7 +11,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-import sympy as sp
+from flips import equation_flips, rate_flips
 from oracles import BROTT, MODELS, TRIALS, Array, lambdified, state, vector
 
 from groundroll.derive.core.linearise import linearise
@@ -22,31 +22,6 @@ from groundroll.derive.models.nonlinear import NONLINEAR
 from groundroll.derive.parts.tires import F_y
 
 # --- The flips ------------------------------------------------------------------------------
-
-
-def terms(expr: sp.Expr) -> Iterator[tuple[str, sp.Expr]]:
-    """Every term of every sum in an expression, and the expression with that term negated."""
-    for part in sp.preorder_traversal(expr):
-        if part.is_Add:
-            for term in part.args:
-                yield str(term), expr.xreplace({part: part - 2 * term})
-
-
-def equation_flips(model: Derivation) -> Iterator[tuple[str, Derivation]]:
-    for n, equation in enumerate(model.chain):
-        flipped = dict(terms(equation.rhs))
-        if equation.lhs.unit not in ("1", "1/rad"):  # of a pure number, two signs may cancel
-            flipped["all of it"] = -equation.rhs
-        for term, rhs in flipped.items():
-            chain = (*model.chain[:n], replace(equation, rhs=rhs), *model.chain[n + 1 :])
-            yield f"{equation.lhs}: {term}", model.replace(chain=chain)
-
-
-def rate_flips(model: Derivation) -> Iterator[tuple[str, Derivation]]:
-    for n, (symbol, rate) in enumerate(zip(model.states, model.rates, strict=True)):
-        for term, flipped in {**dict(terms(rate)), "all of it": -rate}.items():
-            rates = (*model.rates[:n], flipped, *model.rates[n + 1 :])
-            yield f"rate of {symbol}: {term}", model.replace(rates=rates)
 
 
 def part_flips(name: str) -> Iterator[tuple[str, Derivation]]:
