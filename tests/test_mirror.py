@@ -17,6 +17,7 @@ SIDEWAYS = {
     *("side_force", "air_side_force", "incidence_fin", "lift_coefficient_fin", "lift_fin"),
     *("roll_moment", "yaw_moment", "air_roll_moment", "air_yaw_moment"),
     *("lateral_acceleration", "holding_side_force", "holding_roll_couple", "holding_yaw_couple"),
+    *("lane", "turned_wheel", "articulation", "articulation_rate", "wall_force", "load_side"),
 }
 _OTHER = {"left": "right", "right": "left"}
 

@@ -25,7 +25,7 @@ load = Parameter("m_load", "load_mass", "kg", "of the load", sign=">=0")
 x_load = Parameter("x_load", "load_arm", "m", "of the load ahead of the CG")
 y_load = Parameter("y_load", "load_side", "m", "of the load right of the CG")
 z_load = Parameter("z_load", "load_height", "m", "of the load above the CG")
-push = Input("push", "push", "N", "on the load, along the runway")
+push = Input("push", "forward_push", "N", "on the load, along the runway")
 
 depth = Quantity("depth", "foot_depth", "m", "of the foot below the ground")
 sink = Quantity("sink", "sink_rate", "m/s", "of the foot")
