@@ -24,13 +24,19 @@ from groundroll.derive.core.model import Derivation
 from groundroll.derive.core.quantity import Constant
 from groundroll.derive.emit.catalogue import packs
 from groundroll.derive.emit.own import find_model
+from groundroll.generated import pack_of
 from groundroll.models import Model
+from groundroll.names import FUNCTIONS
 from groundroll.names import MODELS as SHIPPED
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Point = tuple[Array, Array, Array]
 
 NAMES = (*SHIPPED, *OWN)
+
+#: Functions of the vectors of a model; all others that ship are of scalars.
+OF_MODELS = ("rhs", "outputs", "jacobians", "rk4", "rk45", "places")
+OF_SCALARS = [n for n in FUNCTIONS if n.removeprefix(f"{pack_of(n).name}_") not in OF_MODELS]
 
 #: From where states and inputs are drawn, by symbol or by what it begins with; `_ELSE` otherwise.
 _MOVING: dict[str, tuple[float, float]] = {

@@ -16,13 +16,9 @@ import numpy as np
 import sympy as sp
 from hypothesis import strategies as st
 
-from groundroll.aircraft import Aircraft
 from groundroll.derive.core.model import Derivation
 from groundroll.derive.models.linear import linear
 from groundroll.derive.models.nonlinear import nonlinear
-from groundroll.generated import Pack
-from groundroll.models import as_model
-from groundroll.motion.rest import start_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Point = tuple[Array, Array, Array]
@@ -144,32 +140,6 @@ def points(model: str, **fixed: float) -> st.SearchStrategy[Point]:
     """States, inputs and parameters of a random aircraft somewhere on the runway."""
     groups = (MODELS[model].states, MODELS[model].inputs, MODELS[model].parameters)
     return st.tuples(*(values(group, **fixed) for group in groups))
-
-
-def is_rolling(pack: Pack) -> bool:
-    """Whether a model's speed is free, so that it can come to rest."""
-    return pack.roles.get("speed") in pack.states if pack.states else False
-
-
-def rolling(pack: Pack, argument: str) -> st.SearchStrategy[Array]:
-    """An argument of a function of a model that rolls, near an aircraft on its wheels.
-
-    A hundred numbers at random are no aircraft: its functions are not finite there.
-    """
-    plane = Aircraft.load("cessna-172p").replace(u=20.0)
-    model = as_model(pack.name)
-    if argument == "p":
-        middle = plane.parameters(model)
-        spread = 0.05 * middle
-    elif argument == "u":
-        middle = np.full(len(model.inputs), 0.05)  # a brake is never less than off
-        spread = middle
-    else:
-        start = start_of(plane, model, {})
-        middle = np.array([float(start[s]) for s in model.states])
-        spread = np.full(middle.size, 0.01)
-    shares = st.lists(st.integers(-100, 100), min_size=middle.size, max_size=middle.size)
-    return shares.map(lambda n: middle + spread * np.array(n) / 100)
 
 
 def vector(symbols: Iterable[object], named: Mapping[str, float]) -> Array:

@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
-from every import NAMES, case
+from every import NAMES, OF_MODELS, OF_SCALARS, case
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import MODELS, Array, values
@@ -288,11 +288,6 @@ def assert_same_function(builder: ca.Function, compiled: ca.Function, point: lis
     for interpreted, native in pairs:
         size = np.abs(np.array(interpreted)).max(initial=1.0)
         np.testing.assert_allclose(native, interpreted, rtol=1e-14, atol=1e-14 * size)
-
-
-#: Functions of the vectors of a model; all others are of scalars.
-OF_MODELS = ("rhs", "outputs", "jacobians", "rk4", "rk45", "places")
-OF_SCALARS = [n for n in FUNCTIONS if n.removeprefix(f"{pack_of(n).name}_") not in OF_MODELS]
 
 
 @pytest.mark.parametrize("name", OF_SCALARS)
