@@ -30,8 +30,10 @@ _SCALARS = {
 )
 @options.aircraft
 @options.model()
-@options.quantity("v", "m/s", "Lateral velocity at the operating point.", default=0.0)
-@options.quantity("r", "rad/s", "Yaw rate at the operating point.", default=0.0)
+@options.quantity("v", "m/s", "Lateral velocity at the operating point.")
+@options.quantity("r", "rad/s", "Yaw rate at the operating point.")
+@options.named("at", "A state at the operating point, of any model, e.g. --at u='60 kt'.", "states")
+@options.inputs
 @options.speed
 @options.disturbance
 @options.result
@@ -39,23 +41,25 @@ def command(
     plane: str,
     changes: options.Changes,
     model: ModelLike,
-    v: float,
-    r: float,
+    v: float | None,
+    r: float | None,
+    states: options.Values,
+    inputs: options.Values,
     speed: float | None,
-    disturbance: float,
+    disturbance: float | None,
     form: str,
     out: Path | None,
 ) -> None:
     """State-space matrices and modes at an operating point.
 
-    It need not be an equilibrium: the drift is (v_dot, r_dot) there.
+    It need not be an equilibrium: the drift holds the rates of the states there.
     """
     from groundroll.linearization import linearize
-    from groundroll.operating_point import OperatingPoint
 
-    point = OperatingPoint(v=v, r=r, disturbance=disturbance)
+    own = {"v": v, "r": r, "disturbance": disturbance, "speed": speed}
+    point = options.by_name(own, states, inputs)
     with bar():
-        lin = linearize(options.loaded(plane, changes), model, point, speed=speed)
+        lin = linearize(options.loaded(plane, changes, model), model, point)
     emit(Output(_text(lin), _rows(lin), _data(lin), lin), form, out)
     options.tell(lin.aircraft)
 
@@ -63,8 +67,8 @@ def command(
 def _text(lin: Linearization) -> str:
     verdict = "stable" if lin.decay_rate > 0 else "unstable"
     head = (
-        f"{lin.aircraft.name}, {as_model(lin.model).name} model, {number(lin.aircraft['u'])} m/s,"
-        f" v = {number(lin.at.v)} m/s, r = {number(lin.at.r)} rad/s: {verdict}"
+        f"{lin.aircraft.name}, {as_model(lin.model).name} model, {number(_speed(lin))} m/s,"
+        f" {_at(lin)}: {verdict}"
     )
     modes = [["eigenvalues", _spread(lin.eigenvalues), "1/s"]]
     for name, unit in _SCALARS.items():
@@ -76,8 +80,25 @@ def _text(lin: Linearization) -> str:
             [row, *map(number, line)] for row, line in zip(rows, getattr(lin, name), strict=True)
         ]
         parts.append(table(header, body, right=range(1, len(header))))
-    parts.append(table(["drift", *lin.states], [["", *map(number, lin.drift)]], right=(1, 2)))
+    drift = [["", *map(number, lin.drift)]]
+    parts.append(table(["drift", *lin.states], drift, right=range(1, len(lin.states) + 1)))
     return "\n\n".join(parts)
+
+
+def _speed(lin: Linearization) -> float:
+    return options.speed_at(lin.aircraft, lin.model, lin.at)
+
+
+def _at(lin: Linearization) -> str:
+    """What the operating point is told by: v and r, and whatever else is not zero there."""
+    q = as_model(lin.model).quantities
+    by_name = {x.name: s for s, x in q.items()}
+    told = []
+    for name, value in lin.at.items():
+        s = name if name in q else by_name[name]
+        if s in ("v", "r") or (value and s != as_model(lin.model).roles.get("speed")):
+            told.append(f"{name} = {number(value)} {q[s].unit}".removesuffix(" 1"))
+    return ", ".join(told)
 
 
 def _matrices(lin: Linearization) -> list[tuple[str, list[str], tuple[str, ...]]]:
@@ -116,8 +137,7 @@ def _rows(lin: Linearization) -> list[list[Any]]:
 
 def _data(lin: Linearization) -> dict[str, Any]:
     names = ("states", "inputs", "outputs", "A", "B", "C", "D", "drift", "eigenvalues")
-    point = {"v": lin.at.v, "r": lin.at.r, "disturbance": lin.at.disturbance}
     return {
-        **options.about(lin.aircraft, model=lin.model, speed=lin.aircraft["u"], at=point),
+        **options.about(lin.aircraft, model=lin.model, speed=_speed(lin), at=dict(lin.at)),
         **{name: getattr(lin, name) for name in (*names, *_SCALARS)},
     }

@@ -15,6 +15,7 @@ from .output import FORMATS, KEPT, KEPT_IN
 
 if TYPE_CHECKING:
     from groundroll.aircraft import Aircraft
+    from groundroll.models import ModelLike
 
     ParamType = click.ParamType[Any]
 else:
@@ -24,6 +25,9 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 #: What --set gives: names and values as written, None for a parameter that is to follow.
 Changes = tuple[tuple[str, str | None], ...]
+
+#: What options that name quantities of a model give: names and values as written.
+Values = tuple[tuple[str, str], ...]
 
 #: More digits has no number of points that anybody can wait for.
 _DIGITS = 20
@@ -211,6 +215,47 @@ class Assignment(ParamType):
         return [CompletionItem(f"{n}=") for n in names if n.startswith(incomplete)]
 
 
+class Named(Assignment):
+    """``name=value`` of a model: handed on as written, because the model knows its units."""
+
+    def convert(self, value: Any, param: Any, ctx: Any) -> tuple[str, str]:
+        name, text = super().convert(value, param, ctx)
+        if not (name and text):
+            self.fail(f"found {value!r}; expected name=value, such as r='2 deg/s'", param, ctx)
+        return name, text
+
+    def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
+        return []
+
+
+def named(name: str, text: str, own: str) -> Callable[[F], F]:
+    """An option that gives quantities of the model by symbol or full name, and may repeat."""
+    words = f"{text} By symbol or full name, with its unit; may be repeated."
+    return click.option(f"--{name}", own, type=Named(), multiple=True, help=words)
+
+
+inputs = named("input", "An input of the model, e.g. --input steering='3 deg'.", "inputs")
+
+
+def by_name(*given: Any) -> dict[str, Any]:
+    """Values by name from options that name them; what is given twice is refused.
+
+    Parameters
+    ----------
+    *given : mapping, or sequence of pairs of str and anything
+        A value that is None was not given.
+    """
+    found: dict[str, Any] = {}
+    for group in given:
+        for name, value in group.items() if isinstance(group, Mapping) else group:
+            if value is None:
+                continue
+            if name in found:
+                raise click.UsageError(f"{name} is given twice")
+            found[name] = value
+    return found
+
+
 def example(line: str) -> str:
     """The epilog of a command: something to copy, which click does not wrap."""
     return f"\b\nExample:\n  {line}"
@@ -239,18 +284,41 @@ def tell(plane: Aircraft, values: Mapping[str, Any] | None = None) -> None:
         say(f"beyond the data: {text}")
 
 
-def loaded(name: str, changes: Changes) -> Aircraft:
-    """The aircraft that AIRCRAFT and --set describe."""
+def loaded(name: str, changes: Changes, model: ModelLike | None = None) -> Aircraft:
+    """The aircraft that AIRCRAFT and --set describe; a model may have parameters of its own."""
     from groundroll.aircraft import Aircraft
     from groundroll.errors import GroundrollError
 
     plane = Aircraft.load(name)
+    own = {} if model is None else _own_parameters(model)
     for parameter, value in changes:
         try:
-            plane = plane.replace(**{parameter: value})
+            if parameter in own and value is not None:
+                plane = plane.with_own({**plane.own, own[parameter]: value})
+            else:
+                plane = plane.replace(**{parameter: value})
         except GroundrollError as problem:
             raise click.BadParameter(str(problem), param_hint="--set") from problem
     return plane
+
+
+def _own_parameters(model: ModelLike) -> dict[str, str]:
+    """Symbols of the parameters that only this model has, by symbol and by full name."""
+    from groundroll.models import as_model
+    from groundroll.names import PARAMETERS
+
+    known = as_model(model)
+    own = [s for s in known.parameters if s not in PARAMETERS]
+    return {name: s for s in own for name in (s, known.quantities[s].name)}
+
+
+def speed_at(plane: Aircraft, model: ModelLike, values: Mapping[str, Any]) -> float:
+    """The forward speed of a result: where it is free, what it is at the start."""
+    from groundroll.models import as_model
+
+    name = as_model(model).roles.get("speed", "u")
+    value = values[name] if name in values else plane[name]
+    return float(getattr(value, "flat", [value])[0])
 
 
 def with_values(name: str, changes: Changes) -> tuple[Aircraft, dict[str, str]]:
@@ -294,7 +362,7 @@ def speed(command: F) -> F:
 def disturbance(command: F) -> F:
     """--disturbance."""
     text = "Side force on the vertical tail, to the right."
-    return quantity("disturbance", "N", text, default=0.0)(command)
+    return quantity("disturbance", "N", text)(command)
 
 
 def output(command: Callable[..., Any], keeps: bool = False) -> Callable[..., Any]:

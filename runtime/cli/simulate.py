@@ -30,7 +30,7 @@ def _initial(command: Any) -> Any:
     for s in reversed(_STATES):
         q = QUANTITIES[s]
         text = f"{q.name.replace('_', ' ').capitalize()} at the start."
-        command = options.quantity(f"{s}0", q.unit, text, default=0.0)(command)
+        command = options.quantity(f"{s}0", q.unit, text)(command)
     return command
 
 
@@ -54,6 +54,8 @@ def _gust(command: Any) -> Any:
 @options.aircraft
 @options.model()
 @_initial
+@options.named("start", "A state at the start, of any model, e.g. --start u='60 kt'.", "start")
+@options.inputs
 @options.quantity("t", "s", "Duration.", default=5.0)
 @click.option("--samples", type=int, default=501, show_default=True, help="How many to keep.")
 @options.speed
@@ -74,7 +76,9 @@ def _gust(command: Any) -> Any:
     help="Picture of quantities over time, or of the runway from above.",
 )
 @click.option(
-    "--show", default="y,theta", show_default=True, help="States and outputs over time to draw."
+    "--show",
+    help="States, inputs and outputs over time to draw, such as y,theta. Default: where the"
+    " aircraft goes and which way it points.",
 )
 @options.result
 @options.picture
@@ -82,52 +86,50 @@ def command(
     plane: str,
     changes: options.Changes,
     model: ModelLike,
+    start: options.Values,
+    inputs: options.Values,
     t: float,
     samples: int,
     speed: float | None,
-    disturbance: float,
+    disturbance: float | None,
     gust: str | None,
     gust_start: float | None,
     gust_length: float | None,
     tol: float,
     view: str,
-    show: str,
+    show: str | None,
     form: str,
     out: Path | None,
     plot: Path | None,
     plotless: bool,
-    **initial: float,
+    **initial: float | None,
 ) -> None:
     """Simulate the ground roll after a disturbance, hands off.
 
     The table tells the largest and the last value of each quantity, and the metrics of the
-    response of v, r, y and theta; csv and json hold them over time.
+    response of v, r, y and theta where the model has them; csv and json hold them over time.
     """
     from groundroll.simulation import simulate
 
-    aircraft = options.loaded(plane, changes)
-    if not any(initial.values()) and not disturbance:
-        say("nothing disturbs the aircraft: give --v0, --r0 or --disturbance")
+    aircraft, known = options.loaded(plane, changes, model), as_model(model)
+    push = _over_time(disturbance, gust, gust_start, gust_length)
+    states = {f"{name}0" if name in known.states else name: value for name, value in start}
+    values = options.by_name(initial, states, inputs, {"speed": speed, "disturbance": push})
+    if not values.keys() - {"speed"} and known.roles.get("speed") not in known.states:
+        say("nothing disturbs the aircraft: give --v0, --r0, --start, --disturbance or --input")
     with bar():
-        run = simulate(
-            aircraft,
-            model,
-            t=t,
-            samples=samples,
-            speed=speed,
-            disturbance=_over_time(disturbance, gust, gust_start, gust_length),
-            tol=tol,
-            **dict[str, Any](initial),
-        )
-        metrics = run.metrics(_MEASURED)
+        run = simulate(aircraft, model, t=t, samples=samples, tol=tol, **values)
+        metrics = run.metrics(_MEASURED) if set(_MEASURED) <= set(known.states) else None
     emit(Output(_text(run, metrics), _rows(run), _data(run, metrics), run), form, out)
     options.tell(run.aircraft, run.values)
-    names = tuple(name.strip() for name in show.split(","))
+    names = None if show is None else tuple(name.strip() for name in show.split(","))
     figure = partial(_runway, run) if view == "runway" else partial(_history, run, names)
     options.draw(figure, f"{run.aircraft.name}-simulate", form, plot, plotless)
 
 
-def _over_time(force: float, gust: str | None, start: float | None, length: float | None) -> Any:
+def _over_time(
+    force: float | None, gust: str | None, start: float | None, length: float | None
+) -> Any:
     """The disturbance as `simulate` takes it."""
     from groundroll import gusts
 
@@ -135,7 +137,7 @@ def _over_time(force: float, gust: str | None, start: float | None, length: floa
         if start is not None or length is not None:
             raise click.UsageError("--gust-start and --gust-length need --gust")
         return force
-    begin = start or 0.0
+    force, begin = force or 0.0, start or 0.0
     if gust == "step":
         return gusts.step(force, begin, None if length is None else begin + length)
     return gusts.one_minus_cosine(force, begin, 1.0 if length is None else length)
@@ -147,19 +149,24 @@ def _runway(run: Trajectory) -> Any:
     return runway_view(run).figure
 
 
-def _text(run: Trajectory, metrics: Metrics) -> str:
+def _text(run: Trajectory, metrics: Metrics | None) -> str:
     rows = []
     for s, series in run.values.items():
-        q = QUANTITIES[s]
+        q = as_model(run.model).quantities[s]
         peak, unit = shown(abs(series).max(), q.unit)
         last, _ = shown(series[-1], q.unit)
         rows.append([q.name, s, number(peak), number(last), unit])
     head = (
-        f"{run.aircraft.name}, {as_model(run.model).name} model, {number(run.aircraft['u'])} m/s,"
+        f"{run.aircraft.name}, {as_model(run.model).name} model, {number(_speed(run))} m/s,"
         f" {number(run.t[-1])} s"
     )
     over_time = table(["quantity", "symbol", "largest", "at the end", "unit"], rows, right=(2, 3))
-    return f"{head}\n\n{over_time}\n\nResponse\n{_metrics_table(metrics)}"
+    response = "" if metrics is None else f"\n\nResponse\n{_metrics_table(metrics)}"
+    return f"{head}\n\n{over_time}{response}"
+
+
+def _speed(run: Trajectory) -> float:
+    return options.speed_at(run.aircraft, run.model, run.values)
 
 
 def _metrics_table(metrics: Metrics) -> str:
@@ -185,28 +192,34 @@ def _cell(value: Any, unit: str) -> str:
 
 
 def _rows(run: Trajectory) -> list[list[Any]]:
-    header = ["t [s]", *(options.with_unit(s, QUANTITIES[s].unit) for s in run.values)]
+    quantities = as_model(run.model).quantities
+    header = ["t [s]", *(options.with_unit(s, quantities[s].unit) for s in run.values)]
     columns = [run.t, *run.values.values()]
     return [header, *([float(x) for x in row] for row in zip(*columns, strict=True))]
 
 
-def _data(run: Trajectory, metrics: Metrics) -> dict[str, Any]:
-    return {
-        **options.about(run.aircraft, model=run.model, speed=run.aircraft["u"]),
-        "units": {"t": "s", **{s: QUANTITIES[s].unit for s in run.values}},
+def _data(run: Trajectory, metrics: Metrics | None) -> dict[str, Any]:
+    quantities = as_model(run.model).quantities
+    found = {
+        **options.about(run.aircraft, model=run.model, speed=_speed(run)),
+        "units": {"t": "s", **{s: quantities[s].unit for s in run.values}},
         "t": run.t,
         **run.values,
         "gust": run.gust and run.gust.label,
-        "metrics": {
-            "displacement": metrics.displacement,
-            "rotation": metrics.rotation,
-            **{
-                s: {name: getattr(metrics, name)[k] for name, _ in _units(metrics)}
-                for k, s in enumerate(_MEASURED)
-            },
+    }
+    return found if metrics is None else {**found, "metrics": _measured(metrics)}
+
+
+def _measured(metrics: Metrics) -> dict[str, Any]:
+    return {
+        "displacement": metrics.displacement,
+        "rotation": metrics.rotation,
+        **{
+            s: {name: getattr(metrics, name)[k] for name, _ in _units(metrics)}
+            for k, s in enumerate(_MEASURED)
         },
     }
 
 
-def _history(run: Trajectory, names: tuple[str, ...]) -> Any:
+def _history(run: Trajectory, names: tuple[str, ...] | None) -> Any:
     return run.plot(names)[0].figure

@@ -31,7 +31,7 @@ def command(
     changes: options.Changes,
     model: ModelLike,
     speed: float | None,
-    disturbance: float,
+    disturbance: float | None,
     form: str,
     out: Path | None,
 ) -> None:
@@ -42,7 +42,9 @@ def command(
     from groundroll.trimming import trim
 
     with bar():
-        found = trim(options.loaded(plane, changes), model, speed=speed, disturbance=disturbance)
+        found = trim(
+            options.loaded(plane, changes), model, speed=speed, disturbance=disturbance or 0.0
+        )
     emit(Output(_text(found), _rows(found), _data(found), found), form, out)
     options.tell(found.aircraft, found.values)
 
