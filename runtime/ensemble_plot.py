@@ -173,4 +173,7 @@ def varied(ens: Ensemble, name: str) -> tuple[Quantity, str]:
     state = name.removesuffix("0")
     if state in q:
         return q[state], "initial "
+    for quantity in q.values():
+        if quantity.name == name:
+            return quantity, ""
     return PARAMETERS[symbol_of(PARAMETERS, name, "name", PARAMETERS, "the axes")], ""

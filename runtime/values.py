@@ -103,6 +103,22 @@ def given(
     )
 
 
+def kind_of(model: Model, name: str, where: str) -> tuple[str, str]:
+    """What a name is in a model, ``"input"``, ``"parameter"`` or ``"state"``, and its symbol.
+
+    An initial state is called by its symbol and a zero, or its full name.
+
+    Raises
+    ------
+    UnknownNameError
+        If it is none of these; the message names the nearest.
+    """
+    table = _table(model, bare_states=False)
+    if name not in table:
+        raise unknown("argument", name, table, where)
+    return table[name]
+
+
 def _table(model: Model, bare_states: bool) -> dict[str, tuple[str, str]]:
     """Name -> what it is and its symbol: an input before a parameter, that before a state.
 

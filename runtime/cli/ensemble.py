@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from groundroll.models import ModelLike, as_model
+from groundroll.models import Model, ModelLike, as_model
 from groundroll.names import MODELS, QUANTITIES
 
 from . import options
@@ -26,30 +26,22 @@ _STARTS = {f"{s}0": QUANTITIES[s].unit for s in _STATES}
 _TRAJECTORIES, _MOST = 40_000, 201
 
 
-class _Limit(options.ParamType):
-    """``name=value``, with a unit."""
+#: A magnitude of a state or an output; the model knows its unit.
+_limit = partial(click.option, type=options.Named(), multiple=True)
 
-    name = "name=value"
 
-    def convert(self, value: Any, param: Any, ctx: Any) -> tuple[str, float]:
-        from groundroll.arrays import single
-        from groundroll.errors import GroundrollError
-        from groundroll.names import symbol
+def _magnitudes(model: Model, given: options.Values, option: str) -> dict[str, float]:
+    from groundroll.arrays import single
+    from groundroll.errors import GroundrollError
 
-        if isinstance(value, tuple):
-            return value
-        name, _, text = (part.strip() for part in str(value).partition("="))
-        if not text:
-            self.fail(f"found {value!r}; expected name=value, such as psi='45 deg'", param, ctx)
-        model = MODELS["nonlinear"]
+    found = {}
+    for name, text in given:
         try:
-            key = symbol(name, "name", (*model.states, *model.outputs))
-            return key, single(name, text, QUANTITIES[key].unit)
+            s = model.symbol(name, "name", (*model.states, *model.outputs))
+            found[s] = single(name, text, model.quantities[s].unit)
         except GroundrollError as problem:
-            self.fail(str(problem), param, ctx)
-
-
-_limit = partial(click.option, type=_Limit(), multiple=True)
+            raise click.BadParameter(str(problem), param_hint=option) from problem
+    return found
 
 
 def _initial(command: Any) -> Any:
@@ -71,9 +63,10 @@ def _initial(command: Any) -> Any:
 @options.aircraft
 @click.option(
     "--vary",
-    type=options.Range({**_STARTS, "disturbance": "N"}),
+    metavar="NAME=LOW:HIGH[:POINTS]",
     multiple=True,
-    help="Parameter or initial state and its range. May repeat: every combination is simulated.",
+    help="Parameter, input or initial state (v0) of the model and its range. May repeat: every"
+    " combination is simulated.",
 )
 @click.option(
     "--random",
@@ -83,6 +76,8 @@ def _initial(command: Any) -> Any:
 @click.option("--seed", type=int, default=0, show_default=True, help="Of the draw.")
 @options.model()
 @_initial
+@options.named("start", "A state at the start, of any model, e.g. --start u='60 kt'.", "start")
+@options.inputs
 @options.quantity("t", "s", "Duration.", default=5.0)
 @options.varied("speed", "u", "m/s", "Forward speed; default the aircraft's own.")
 @options.varied(
@@ -93,9 +88,8 @@ def _initial(command: Any) -> Any:
 )
 @click.option(
     "--extremes",
-    default="psi",
-    show_default=True,
-    help="States and outputs whose largest magnitude is wanted; the first is drawn.",
+    help="States and outputs whose largest magnitude is wanted; the first is drawn. Default: the"
+    " heading.",
 )
 @_limit("--limits", help="Magnitude whose first passing is wanted, e.g. Y='7.5 m'. May repeat.")
 @_limit("--within", help="Magnitude beyond which a trajectory ends. May repeat.")
@@ -112,14 +106,16 @@ def _initial(command: Any) -> Any:
 def command(
     plane: str,
     changes: options.Changes,
-    vary: tuple[options.Grid, ...],
+    vary: tuple[str, ...],
     random: int | None,
     seed: int,
     model: ModelLike,
+    start: options.Values,
+    inputs: options.Values,
     t: float,
-    extremes: str,
-    limits: tuple[tuple[str, float], ...],
-    within: tuple[tuple[str, float], ...],
+    extremes: str | None,
+    limits: options.Values,
+    within: options.Values,
     tol: float,
     threads: int | None,
     form: str,
@@ -135,14 +131,15 @@ def command(
     """
     from groundroll.ensembles import ensemble
 
-    aircraft = options.loaded(plane, changes)
-    ranges = _ranges([*vary, *(each for each in either.values() if isinstance(each, options.Grid))])
+    aircraft, known = options.loaded(plane, changes, model), as_model(model)
+    of = extremes or known.roles.get("heading", known.dynamic[0])
+    grids = [options.range_of(known, text, "--vary", "the model") for text in vary]
+    grids += [each for each in either.values() if isinstance(each, options.Grid)]
+    ranges = _ranges(grids)
     axes = _drawn(ranges, random, seed) if random else _spread(ranges)
-    numbers = {
-        name: value
-        for name, value in either.items()
-        if value is not None and not isinstance(value, options.Grid)
-    }
+    states = {f"{name}0" if name in known.states else name: value for name, value in start}
+    constant = {k: x for k, x in either.items() if not isinstance(x, options.Grid)}
+    numbers = options.by_name(constant, states, inputs)
     if both := numbers.keys() & axes.keys():
         raise click.UsageError(f"{', '.join(sorted(both))} is given and varied")
     with bar("trajectories") as show:
@@ -150,9 +147,9 @@ def command(
             aircraft,
             t,
             model,
-            extremes=[name.strip() for name in extremes.split(",")],
-            limits=dict(limits),
-            within=dict(within),
+            extremes=[name.strip() for name in of.split(",")],
+            limits=_magnitudes(known, limits, "--limits"),
+            within=_magnitudes(known, within, "--within"),
             tol=tol,
             threads=threads,
             progress=show,
@@ -243,7 +240,7 @@ def _spread_table(ens: Ensemble) -> str:
     rows = []
     for title, arrays in (("at the end", ens.final), ("largest", ens.largest)):
         for s, values in arrays.items():
-            q = QUANTITIES[s]
+            q = as_model(ens.model).quantities[s]
             good = values[np.isfinite(values)]
             shares = np.percentile(good, (0, 50, 99, 100)) if good.size else [np.nan] * 4
             cells = [number(shown(x, q.unit)[0]) for x in shares]
@@ -254,7 +251,7 @@ def _spread_table(ens: Ensemble) -> str:
 
 def _passed(ens: Ensemble) -> Iterator[str]:
     for s, limit in ens.limits.items():
-        q = QUANTITIES[s]
+        q = as_model(ens.model).quantities[s]
         value, unit = shown(limit, q.unit)
         first = ens.first[s]
         passed = first[np.isfinite(first)]
@@ -268,8 +265,9 @@ def _passed(ens: Ensemble) -> Iterator[str]:
 
 def _columns(ens: Ensemble) -> dict[str, tuple[str, Any]]:
     """Results by name, with units."""
-    columns = {f"{s}_end": (QUANTITIES[s].unit, x) for s, x in ens.final.items()}
-    columns |= {f"{s}_largest": (QUANTITIES[s].unit, x) for s, x in ens.largest.items()}
+    q = as_model(ens.model).quantities
+    columns = {f"{s}_end": (q[s].unit, x) for s, x in ens.final.items()}
+    columns |= {f"{s}_largest": (q[s].unit, x) for s, x in ens.largest.items()}
     columns |= {f"{s}_first": ("s", x) for s, x in ens.first.items()}
     return columns
 

@@ -15,7 +15,7 @@ from .output import FORMATS, KEPT, KEPT_IN
 
 if TYPE_CHECKING:
     from groundroll.aircraft import Aircraft
-    from groundroll.models import ModelLike
+    from groundroll.models import Model, ModelLike
 
     ParamType = click.ParamType[Any]
 else:
@@ -84,15 +84,9 @@ class Quantity(ParamType):
 
 
 class Range(ParamType):
-    """``name=low:high`` or ``name=low:high:points``, with units.
-
-    Names are those of parameters, and of whatever else is given with its unit in `others`.
-    """
+    """``name=low:high`` or ``name=low:high:points``, with units; names are those of parameters."""
 
     name = "name=low:high[:points]"
-
-    def __init__(self, others: Mapping[str, str] | None = None) -> None:
-        self.others = dict(others or {})
 
     def convert(self, value: Any, param: Any, ctx: Any) -> Grid:
         from groundroll.aircraft import parameter_symbols
@@ -105,8 +99,6 @@ class Range(ParamType):
         if not (name and _split(text)):
             self.fail(f"found {value!r}; expected name=low:high, such as a=-1 m:1 m", param, ctx)
         try:
-            if name in self.others:
-                return _grid(name, name, text, self.others[name])
             key = symbol(name, "parameter", parameter_symbols())
             return _grid(key, name, text, QUANTITIES[key].unit)
         except (GroundrollError, ValueError) as problem:
@@ -114,6 +106,31 @@ class Range(ParamType):
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
         return Assignment().shell_complete(ctx, param, incomplete)
+
+
+def range_of(model: Model, text: str, option: str, where: str) -> Grid:
+    """``name=low:high[:points]`` of a parameter, an input or an initial state of a model.
+
+    Raises
+    ------
+    BadParameter
+        If there is no such name, or the range is none.
+    """
+    from groundroll.errors import GroundrollError
+    from groundroll.names import PARAMETERS
+    from groundroll.values import kind_of
+
+    name, _, ends = (part.strip() for part in text.partition("="))
+    if not (name and _split(ends)):
+        wrong = f"found {text!r}; expected name=low:high, such as a=-1 m:1 m"
+        raise click.BadParameter(wrong, param_hint=option)
+    try:
+        kind, symbol = kind_of(model, name, where)
+        q = model.quantities[symbol] if symbol in model.quantities else PARAMETERS[symbol]
+        key = {"input": q.name, "parameter": symbol, "state": f"{symbol}0"}[kind]
+        return _grid(key, name, ends, q.unit)
+    except (GroundrollError, ValueError) as problem:
+        raise click.BadParameter(str(problem), param_hint=option) from problem
 
 
 class QuantityOrRange(Quantity):
