@@ -26,6 +26,8 @@ OUT, _TURNS, _LEAVES, _MOVING, _UNKNOWN = range(len(FATES))
 
 #: Samples over a run, in which straightening out is sought, and runs that are sampled at once.
 _SAMPLES, _RUNS = 401, 16_384
+#: Share of a limit that a peak between samples may pass only from.
+_NEAR = 0.8
 
 
 @dataclass(frozen=True)
@@ -114,32 +116,65 @@ def _judged(
         criterion.t,
         at=np.linspace(0.0, criterion.t, _SAMPLES),
         names=("v", "r"),
+        extremes=("v", "r"),
         limits={"psi": criterion.heading, "Y": criterion.half_width},
         within={"psi": criterion.heading},
         **start,
         **options,
     )
     when = np.maximum(*(_settled(ens, name, criterion.settled) for name in ("v", "r")))
-    fate = np.where(np.isnan(when), _MOVING, OUT)
-    fate[~ens.ok] = _UNKNOWN
     psi, Y = ens.first["psi"], ens.first["Y"]
-    fate[(np.nan_to_num(when, nan=np.inf) >= Y) & np.isfinite(Y)] = _LEAVES
-    fate[np.isfinite(psi) & (psi <= Y)] = _TURNS
+    leaves = np.isfinite(Y) & (np.nan_to_num(when, nan=np.inf) >= Y)
+    turns = np.isfinite(psi) & (~leaves | (psi <= Y))
+    lost = ~ens.ok & ~np.isfinite(psi)
+    fate = np.select(
+        [lost, turns, leaves, np.isnan(when)], [_UNKNOWN, _TURNS, _LEAVES, _MOVING], OUT
+    )
     return fate.astype(np.int8), np.where(fate == OUT, when, np.nan)
 
 
 def _settled(ens: Ensemble, name: str, share: float) -> FloatArray:
     """When a state falls for good to a share of its largest value; NaN if it never does."""
-    size = np.abs(ens.samples[name])
-    limit = share * np.fmax.reduce(size, axis=-1, keepdims=True)
-    outside = size > limit
-    last = outside.shape[-1] - 1 - outside[..., ::-1].argmax(axis=-1)
-    after = np.minimum(last + 1, outside.shape[-1] - 1)
-    before_value, after_value = (
-        np.take_along_axis(size, k[..., None], axis=-1)[..., 0] for k in (last, after)
-    )
-    with np.errstate(divide="ignore", invalid="ignore"):
-        part = (before_value - limit[..., 0]) / (before_value - after_value)
-    when = ens.at[last] + part * (ens.at[after] - ens.at[last])
-    when = np.where(outside.any(axis=-1), when, 0.0)
-    return np.where((last == after) & outside[..., -1], np.nan, when)
+    count = ens.at.size
+    state = ens.samples[name].reshape(-1, count)
+    limit = share * ens.largest[name].reshape(-1, 1)
+    outside = np.abs(state) > limit
+    row, peak, beside = _peaks(np.abs(state), limit, outside)
+    outside[row, peak] = True
+    last = count - 1 - outside[:, ::-1].argmax(axis=1)[:, None]
+    begin = np.clip(last - 1, 0, count - 4)
+    values = np.take_along_axis(state, begin + np.arange(4), axis=1)
+    sign = np.sign(np.take_along_axis(state, last, axis=1))
+    since = (last - begin).astype(float)
+    since[row, 0] += np.where(last[row, 0] == peak, beside, 0.0)
+    passed = _falls(values * sign, limit, since, last - begin + 1.0)
+    when = np.where(outside.any(axis=1), ens.at[1] * (begin + passed)[:, 0], 0.0)
+    return np.where(outside[:, -1], np.nan, when).reshape(ens.status.shape)
+
+
+def _peaks(
+    size: FloatArray, limit: FloatArray, outside: npt.NDArray[np.bool_]
+) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp], FloatArray]:
+    """Samples beside which a parabola passes the limit that they do not, and how far beside."""
+    near = (size > _NEAR * limit) & ~outside
+    near[:, [0, -1]] = False
+    row, k = np.nonzero(near)
+    left, middle, right = (size[row, k + step] for step in (-1, 0, 1))
+    top = (middle >= left) & (middle >= right) & (middle > np.minimum(left, right))
+    row, k = row[top], k[top]
+    rise, bend = (right - left)[top], (2 * middle - left - right)[top]
+    over = middle[top] + rise**2 / (8 * bend) > limit[row, 0]
+    return row[over], k[over], (rise / (2 * bend))[over]
+
+
+def _falls(values: FloatArray, limit: FloatArray, low: Any, high: Any) -> FloatArray:
+    """Where the cubic through values at 0, 1, 2, 3 falls to a limit between two places.
+
+    Straight lines between samples, and their peaks, move thresholds by more than a thousandth.
+    """
+    terms = np.moveaxis(values @ np.linalg.inv(np.vander(np.arange(4.0))).T, -1, 0)[..., None]
+    for _ in range(40):
+        x = (low + high) / 2
+        above = np.polyval(terms, x) > limit
+        low, high = np.where(above, x, low), np.where(above, high, x)
+    return np.asarray(high)
