@@ -11,7 +11,7 @@ from .aircraft import Aircraft
 from .arrays import FloatArray, common_shape
 from .errors import GroundrollError
 from .models import Model
-from .names import PARAMETERS
+from .motion.rest import start_of
 from .parameters import parameters_of
 from .points import Points
 from .values import Given, given
@@ -70,42 +70,51 @@ def operating_point(points: Points) -> OperatingPoint:
     return OperatingPoint(**{s: x if x.ndim else float(x) for s, x in named.items()})
 
 
-def points_at(
+def sorted_at(
     plane: Aircraft,
     model: Model,
-    at: Mapping[str, Any] | None,
+    at: Any,
     values: Mapping[str, Any],
     where: str,
-) -> Points:
-    """Operating points from what a call was given.
+) -> Given:
+    """What a call was given, sorted.
 
     Parameters
     ----------
     plane : Aircraft
     model : Model
-    at : mapping of str to anything, optional
+    at : mapping of str to anything, or Trim, optional
         States, inputs and parameters by symbol or full name.
     values : mapping of str to anything
         The same, given as keywords; they come before `at`.
     where : str
         The function that was called, for messages.
     """
+    at = getattr(at, "point", at)  # of a trim
     if at is not None and not isinstance(at, Mapping):
         raise GroundrollError(
             f"at must be an OperatingPoint, or values by name, not {type(at).__name__}"
         )
     merged = {**(at or {}), **{k: x for k, x in values.items() if x is not None}}
-    found = given(plane, model, merged, where, bare_states=True)
-    return points_of(model, found)
+    return given(plane, model, merged, where, bare_states=True)
+
+
+def points_at(
+    plane: Aircraft, model: Model, at: Any, values: Mapping[str, Any], where: str
+) -> Points:
+    """Operating points from what a call was given: see `sorted_at`."""
+    return points_of(model, sorted_at(plane, model, at, values, where))
 
 
 def points_of(model: Model, found: Given) -> Points:
-    """Operating points from values that are sorted."""
+    """Operating points from values that are sorted.
+
+    A state that is not given is where a motion starts: the aircraft's own speed where that is
+    free, the rest of a body on its legs, or zero.
+    """
     zero = np.asarray(0.0)
     known = parameters_of(found.aircraft, model)
-    values: dict[str, FloatArray] = {}
-    for s in model.states:
-        values[s] = found.states[s] if s in found.states else _own(found.aircraft, s)
+    values: dict[str, FloatArray] = dict(start_of(found.aircraft, model, found.states))
     for s in model.inputs:
         values[s] = found.inputs.get(s, zero)
     shape = common_shape({**values, **known})
@@ -113,10 +122,3 @@ def points_of(model: Model, found: Given) -> Points:
         raise GroundrollError(f"nothing is given: the arrays broadcast to {shape}")
     # a state may share its symbol with a parameter of another model, never of its own
     return Points(model, found.aircraft, {**values, **known}, shape)
-
-
-def _own(plane: Aircraft, state: str) -> FloatArray:
-    """The aircraft's own value of a state that is not given: its speed, where that is free."""
-    if state in PARAMETERS and state in plane:
-        return plane[state]
-    return np.asarray(0.0)

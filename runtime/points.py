@@ -106,21 +106,47 @@ class Points:
             return found
         given = self.columns
         much = self.count * len(given) ** 2 > _MUCH
-        pointers = (ctypes.c_void_p * len(given))(*(c.ctypes.data for c in given))
-        strides = (ctypes.c_int64 * len(given))(*(int(c.size > 1) for c in given))
-        wanted = (_Wanted * len(found))(
-            *(_Wanted(found[n].ctypes.data, e.size, e.ctypes.data) for n, e in elements.items())
-        )
-        job = _Job(
-            self.count,
-            useful_threads(threads or (processors() if much else 1), self.count),
-            len(found),
-            ctypes.addressof(pointers),
-            ctypes.addressof(strides),
-            ctypes.addressof(wanted),
-        )
-        kernel(ctypes.byref(job))
+        threads = threads or (processors() if much else 1)
+        run(kernel, self.count, given, [(found[n], e) for n, e in elements.items()], threads)
         return found
+
+
+def run(
+    kernel: Any,
+    count: int,
+    given: Sequence[FloatArray],
+    wanted: Sequence[tuple[FloatArray, IntArray]],
+    threads: int = 1,
+) -> None:
+    """Call a kernel of ``points.c``.
+
+    Parameters
+    ----------
+    kernel
+        The function of its library.
+    count : int
+        Number of points.
+    given : sequence of ndarray
+        For each argument a column of `count`, or one number.
+    wanted : sequence of tuple
+        Arrays to be filled, and which elements of the results go there at each point.
+    threads : int
+        At most.
+    """
+    pointers = (ctypes.c_void_p * len(given))(*(c.ctypes.data for c in given))
+    strides = (ctypes.c_int64 * len(given))(*(int(c.size > 1) for c in given))
+    places = (_Wanted * len(wanted))(
+        *(_Wanted(array.ctypes.data, e.size, e.ctypes.data) for array, e in wanted)
+    )
+    job = _Job(
+        count,
+        useful_threads(threads, count),
+        len(wanted),
+        ctypes.addressof(pointers),
+        ctypes.addressof(strides),
+        ctypes.addressof(places),
+    )
+    kernel(ctypes.byref(job))
 
 
 class _Wanted(ctypes.Structure):

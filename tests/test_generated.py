@@ -316,7 +316,8 @@ def docstrings() -> dict[str, str]:
         tree = ast.parse((pack_of(name).folder / f"{module}.py").read_text())
         functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
         doc = next(ast.get_docstring(f) for f in functions if f.name == builder)
-        if ": see `integrators." not in doc:  # where it is said once for all models
+        # where it is said once for all models
+        if not re.search(r": see `(integrators|intervals)\.", doc):
             found[name] = doc
     return found
 

@@ -190,3 +190,33 @@ def test_what_cannot_be_is_named(arguments, words):
 def test_an_unknown_name_is_an_error():
     with pytest.raises(gr.GroundrollError, match="alpha"):
         _ = gr.trim(aircraft())["alhpa"]
+
+
+def test_turns_on_either_side_of_a_sample_are_not_missed():
+    """One turn lay exactly on a sample, and hid the two beside it."""
+    plane = gr.Aircraft.load("brott-physical").replace(Ct="50 N/deg")
+    trim = gr.trim(plane, speed=16.89142788894574)
+    np.testing.assert_allclose(np.degrees(trim["alpha"]), [-0.0974060, 0.0, 0.0974060], atol=1e-6)
+    assert trim.stable.tolist() == [True, False, True]
+    assert trim.complete
+
+
+@given(st.floats(-12.0, -2.0).map(lambda x: 10.0**x))
+def test_three_turns_are_found_however_close_to_the_pitchfork(beyond):
+    """Just past the critical speed two turns leave the straight line, as the root of the excess."""
+    plane = gr.Aircraft.load("brott-physical").replace(Ct="50 N/deg")
+    critical = _critical_speed(plane)
+    few, many = (gr.trim(plane, speed=critical * (1 + x)) for x in (-beyond, beyond))
+    assert int(few.count) == 1
+    assert int(many.count) == 3
+    assert many["alpha"][0] == pytest.approx(-many["alpha"][2], rel=1e-3)
+
+
+def _critical_speed(plane):
+    """Where the straight line stops being stable, from the trim's own exact decay rate."""
+    low, high = 16.0, 17.5
+    for _ in range(80):
+        middle = (low + high) / 2
+        stable = gr.linearize(plane, speed=middle).decay_rate > 0
+        low, high = (middle, high) if stable else (low, middle)
+    return low

@@ -10,6 +10,9 @@ from typing import Any
 
 import sympy as sp
 
+#: From where to where; None where there is no end.
+Range = tuple[float | None, float | None]
+
 
 class Quantity(sp.Symbol):  # type: ignore[misc]
     """A real symbol with a unit and a meaning.
@@ -31,9 +34,11 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
     kind : str
         ``"state"``, ``"input"`` or ``"parameter"`` for what equations may use without defining it
         (write `State`, `Input`, `Parameter`); a plain quantity is defined by an equation.
+    within : tuple of float or None, optional
+        Between what an input can be moved, SI; None where there is no end.
     """
 
-    __slots__ = ("full_name", "kind", "latex", "meaning", "sign", "unit")
+    __slots__ = ("full_name", "kind", "latex", "meaning", "sign", "unit", "within")
 
     full_name: str
     unit: str
@@ -41,6 +46,7 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
     latex: str
     sign: str
     kind: str
+    within: Range
 
     def __new__(
         cls,
@@ -51,6 +57,7 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
         latex: str = "",
         sign: str = "",
         kind: str = "",
+        within: Range = (None, None),
     ) -> Quantity:
         assumption = {">0": {"positive": True}, ">=0": {"nonnegative": True}, "": {}}[sign]
         obj: Quantity = sp.Symbol.__xnew__(cls, symbol, real=True, **assumption)
@@ -60,6 +67,7 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
         obj.latex = latex or sp.latex(sp.Symbol(symbol))
         obj.sign = sign
         obj.kind = kind
+        obj.within = within
         return obj
 
     def _hashable_content(self) -> tuple[Any, ...]:
@@ -68,7 +76,7 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
 
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         words = (self.full_name, self.unit, self.meaning, self.latex, self.sign, self.kind)
-        return (self.name, *words), {}
+        return (self.name, *words, self.within), {}
 
     def _latex(self, printer: Any) -> str:
         return self.latex
@@ -88,6 +96,7 @@ class Quantity(sp.Symbol):  # type: ignore[misc]
             rf"{{{self.latex}}}_{{\mathrm{{{part.replace('_', ' ')}}}}}",
             self.sign,
             self.kind,
+            self.within,
         )
 
 
@@ -145,9 +154,16 @@ def State(symbol: str, name: str, unit: str, meaning: str, latex: str = "") -> Q
     return Quantity(symbol, name, unit, meaning, latex, kind="state")
 
 
-def Input(symbol: str, name: str, unit: str, meaning: str, latex: str = "") -> Quantity:
+def Input(
+    symbol: str,
+    name: str,
+    unit: str,
+    meaning: str,
+    latex: str = "",
+    within: Range = (None, None),
+) -> Quantity:
     """What acts from outside and may change over time; zero if nobody gives it."""
-    return Quantity(symbol, name, unit, meaning, latex, kind="input")
+    return Quantity(symbol, name, unit, meaning, latex, kind="input", within=within)
 
 
 def Parameter(

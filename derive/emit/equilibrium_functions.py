@@ -13,6 +13,9 @@ from groundroll.derive.theory.equilibrium import gear_moment, with_slope
 from .module import Module
 from .scalar_functions import ordered, scalar_function
 
+#: Name of the module; a model that has it can find all of its steady turns.
+EQUILIBRIUM = "equilibrium"
+
 
 def equilibrium_module(model: Derivation) -> Module:
     """The balance of moments in a steady turn, and its slope."""
@@ -23,4 +26,4 @@ def equilibrium_module(model: Derivation) -> Module:
     summary = "The steady turn at a slip angle: an equilibrium where the moment is zero."
     arguments = (alpha, *model.inputs, *ordered(needed(chain, results)))
     function = scalar_function(name, summary, arguments, results, chain)
-    return Module("equilibrium", "Steady turns under a steady side force.", (function,))
+    return Module(EQUILIBRIUM, "Steady turns under a steady side force.", (function,))

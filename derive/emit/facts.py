@@ -56,6 +56,7 @@ def facts(
             "states": _names(model.states),
             "dynamic": _names(model.dynamic),
             "inputs": _names(model.inputs),
+            "ranges": {q.name: list(q.within) for q in model.inputs if q.within != (None, None)},
             "parameters": _names(model.parameters),
             "outputs": _names(model.outputs),
             "roles": {role: q.name for role, q in _ROLES.items() if q.name in named},

@@ -14,11 +14,13 @@ from groundroll.derive.core.model import Derivation
 from .c_source import c_source
 from .catalogue import Pack
 from .equation_sheet import equation_sheet
+from .equilibrium_functions import EQUILIBRIUM
 from .facts import facts
 from .kernels import integration_kernels, points_text, sweep_of
 from .module import Module
 from .places import places_source
 from .shipped import integrators
+from .simd.points import function_kernel
 
 #: How every generated file begins, after the sign of a comment.
 MARK = "Generated from derive/"
@@ -48,6 +50,8 @@ def pack_files(pack: Pack) -> dict[str, str]:
     if kernels is not None:
         compiled["lanes"] = kernels.text
         compiled["points"] = points_text(modules["model"])
+    if EQUILIBRIUM in modules:
+        compiled["bounds"] = function_kernel(modules[EQUILIBRIUM].bounds())
     for name, text in compiled.items():
         texts[f"c/{name}.c"] = f"/* {header} */\n{text}"
     texts["facts.json"] = facts(pack, header, _function_table(pack), kernels, sweep)
@@ -57,14 +61,17 @@ def pack_files(pack: Pack) -> dict[str, str]:
 def _module_source(pack: Pack, module: Module) -> str:
     head = f'"""{module.summary}"""\n\nfrom functools import cache\n\nimport casadi as ca\n'
     is_model = pack.model is not None and module.name == "model"
-    if is_model:
-        head += "\nfrom groundroll.generated import integrators\n"
+    helper = "integrators" if is_model else "intervals" if module.name == EQUILIBRIUM else ""
+    if helper:
+        head += f"\nfrom groundroll.generated import {helper}\n"
     return "\n\n".join([head, *_blocks(pack, module, is_model)])
 
 
 def _blocks(pack: Pack, module: Module, is_model: bool) -> Iterator[str]:
     for function in module.functions:
         yield function.source() + "\n"
+    if module.name == EQUILIBRIUM:
+        yield _bounds_source(pack.name)
     if not is_model or pack.model is None:
         return
     if not module.is_readable:
@@ -72,6 +79,14 @@ def _blocks(pack: Pack, module: Module, is_model: bool) -> Iterator[str]:
     yield places_source(pack.model)
     for method in integrators.METHODS:
         yield _integrator_source(pack.name, method)
+
+
+def _bounds_source(model: str) -> str:
+    return (
+        "@cache\ndef bounds() -> ca.Function:\n"
+        '    """Bounds of the moment and its slope over angles: see `intervals.bounds`."""\n'
+        f'    return intervals.bounds({model}_equilibrium(), 2, "{model}_bounds")\n'
+    )
 
 
 def _jacobians_source(model: Derivation) -> str:
@@ -113,6 +128,8 @@ def _function_table(pack: Pack) -> dict[str, tuple[str, str, str]]:
     for module in pack.all_modules:
         for function in module.functions:
             table[function.casadi_name] = (module.name, function.name, module.name)
+        if module.name == EQUILIBRIUM:
+            table[f"{pack.name}_bounds"] = (module.name, "bounds", "")
     if pack.model is not None:
         name = pack.name
         # those of a long model stand in C for many points alone
@@ -145,10 +162,8 @@ def _load(sources: Mapping[str, str]) -> dict[str, ModuleType]:
     loaded = {}
     for path, text in sources.items():
         module = ModuleType(path.removesuffix(".py"))
-        here = text.replace(
-            "from groundroll.generated import integrators",
-            f"from {integrators.__name__.rpartition('.')[0]} import integrators",
-        )
+        shipped = integrators.__name__.rpartition(".")[0]
+        here = text.replace("from groundroll.generated import", f"from {shipped} import")
         exec(compile(here, path, "exec"), module.__dict__)
         loaded[module.__name__] = module
     return loaded

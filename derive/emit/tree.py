@@ -11,7 +11,10 @@ HERE = Path(__file__).resolve().parent
 #: Support code that goes along as it stands.
 SHIPPED = tuple(
     f"{name}.py"
-    for name in ("__init__", "compiler", "integrators", "kernels", "library", "packs", "version")
+    for name in (
+        *("__init__", "compiler", "integrators", "intervals", "kernels", "library", "packs"),
+        "version",
+    )
 )
 
 

@@ -44,7 +44,9 @@ PILOT = (
 )
 
 heading_aim = Input("psi_aim", "heading_aim", "rad", "heading that the pilot wants")
-braking = Input("braking", "braking", "1", "of both wheels, 0 (off) to 1 (locked)")
+braking = Input(
+    "braking", "braking", "1", "of both wheels, 0 (off) to 1 (locked)", within=(0.0, 1.0)
+)
 
 wanted = Quantity("wanted", "wanted_pedal", "1", "pedal for what is seen, right positive")
 seen = Quantity("seen", "delayed_pedal", "1", "the same, delayed")

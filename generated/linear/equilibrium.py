@@ -5,6 +5,8 @@ from functools import cache
 
 import casadi as ca
 
+from groundroll.generated import intervals
+
 
 @cache
 def linear_equilibrium() -> ca.Function:
@@ -75,3 +77,9 @@ def linear_equilibrium() -> ca.Function:
         ["alpha", "F_disturbance", "m", "a", "b", "u", "rho", "Ap", "CL_gamma", "C_alpha", "Ct"],
         ["sum_M", "d_sum_M_d_alpha", "d_M_gear_d_alpha", "v", "r"],
     )
+
+
+@cache
+def bounds() -> ca.Function:
+    """Bounds of the moment and its slope over angles: see `intervals.bounds`."""
+    return intervals.bounds(linear_equilibrium(), 2, "linear_bounds")

@@ -5,6 +5,8 @@ from functools import cache
 
 import casadi as ca
 
+from groundroll.generated import intervals
+
 
 @cache
 def nonlinear_equilibrium() -> ca.Function:
@@ -104,3 +106,9 @@ def nonlinear_equilibrium() -> ca.Function:
         ["alpha", "F_disturbance", "m", "a", "b", "u", "rho", "Ap", "CL_gamma", "Ct", "Fz", "B3", "C3", "B5", "C5", "B1", "C1", "D1", "E1"],
         ["sum_M", "d_sum_M_d_alpha", "d_M_gear_d_alpha", "v", "r"],
     )
+
+
+@cache
+def bounds() -> ca.Function:
+    """Bounds of the moment and its slope over angles: see `intervals.bounds`."""
+    return intervals.bounds(nonlinear_equilibrium(), 2, "nonlinear_bounds")

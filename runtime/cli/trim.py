@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.models import ModelLike
+from groundroll.models import ModelLike, as_model
 
 from . import options
 from .output import Output, emit, number, shown, table
@@ -81,7 +81,7 @@ def _rows(found: Trim) -> list[list[Any]]:
 def _data(found: Trim) -> dict[str, Any]:
     return {
         **options.about(found.aircraft, model=found.model, speed=found.aircraft["u"]),
-        "disturbance": found.disturbance,
+        **{s: x for s, x in found.given.items() if s in as_model(found.model).inputs},
         "count": found.count,
         "singular": found.singular,
         **found.values,

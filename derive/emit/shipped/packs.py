@@ -7,6 +7,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
+from math import inf
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -69,6 +70,8 @@ class Pack:
     states, dynamic, inputs, parameters, outputs : tuple of str
         Order of the vectors: x' = f(x, u, p) and y = g(x, u, p). The rates of the dynamic states
         depend on them; the others are integrals. All empty for a pack without a model.
+    ranges : mapping of str to tuple of float
+        Between what an input can be moved, SI; infinite where there is no end.
     roles : mapping of str to str
         Which state is ``heading``, ``offset``, ``speed``, ... where there is one.
     places : tuple of Place
@@ -91,6 +94,7 @@ class Pack:
     inputs: tuple[str, ...] = ()
     parameters: tuple[str, ...] = ()
     outputs: tuple[str, ...] = ()
+    ranges: Mapping[str, tuple[float, float]] = ()  # type: ignore[assignment]
     roles: Mapping[str, str] = ()  # type: ignore[assignment]
     places: tuple[Place, ...] = ()
     events: tuple[Event, ...] = ()
@@ -203,6 +207,10 @@ def _series(version: str) -> list[str]:
     return version.split(".")[:2]
 
 
+def _range(least: float | None, most: float | None) -> tuple[float, float]:
+    return -inf if least is None else least, inf if most is None else most
+
+
 def _pack(folder: Path, facts: Mapping[str, Any]) -> Pack:
     groups = {
         name: tuple(facts.get(name, ()))
@@ -217,6 +225,7 @@ def _pack(folder: Path, facts: Mapping[str, Any]) -> Pack:
         quantities={s: Quantity(s, *entry) for s, entry in facts["quantities"].items()},
         functions={name: (m, b, c) for name, (m, b, c) in facts["functions"].items()},
         sweeps=facts["sweeps"],
+        ranges={s: _range(*ends) for s, ends in facts.get("ranges", {}).items()},
         roles=facts.get("roles", {}),
         places=tuple(Place(*place) for place in facts.get("places", ())),
         events=tuple(Event(*event) for event in facts.get("events", ())),

@@ -1,13 +1,13 @@
-"""C text of a kernel that evaluates a model and its Jacobians at many points.
+"""C text of kernels that evaluate functions at many points: a model and its Jacobians, or bounds.
 
-All results share one graph. What each part of them needs is told by a set of parts; a stretch of
-code belongs to one such set and runs if any part in it is asked for, so nothing is computed, or
-written, twice.
+All results of a kernel share one graph. What each part of them needs is told by a set of parts; a
+stretch of code belongs to one such set and runs if any part in it is asked for, so nothing is
+computed, or written, twice.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -35,7 +35,7 @@ class Stretch:
 
 
 def points_kernel(rhs: ca.Function, outputs: ca.Function) -> str:
-    """The kernel of a model.
+    """The kernel of a model: rates, outputs and their Jacobians.
 
     Parameters
     ----------
@@ -43,25 +43,36 @@ def points_kernel(rhs: ca.Function, outputs: ca.Function) -> str:
         (x, u, p) -> xdot and (x, u, p) -> y.
     """
     arguments = rhs.sx_in()
-    results = _results(rhs, outputs, arguments)
+    return _kernel(arguments, _results(rhs, outputs, arguments), PARTS)
+
+
+def function_kernel(function: ca.Function) -> str:
+    """The kernel of any function; every result of it is a part of its own."""
+    arguments, names = function.sx_in(), function.name_out()
+    results = dict(zip(names, function.call(arguments), strict=True))
+    return _kernel(arguments, results, {name: 64 << k for k, name in enumerate(names)})
+
+
+def _kernel(arguments: Sequence[ca.SX], results: Mapping[str, ca.SX], of: Mapping[str, int]) -> str:
     graph = Graph()
-    sizes = [rhs.numel_in(k) for k in range(rhs.n_in())]
+    sizes = [argument.numel() for argument in arguments]
     leaves = [
         [graph.leaf(str(sum(sizes[:k]) + j), varies=True) for j in range(size)]
         for k, size in enumerate(sizes)
     ]
     entries = ca.vertcat(*(result.nz[:] for result in results.values()))
     nodes = read(graph, ca.Function("results", arguments, [entries]), leaves)
-    parts = [PARTS[name] for name, result in results.items() for _ in range(result.nnz())]
+    parts = [of[name] for name, result in results.items() for _ in range(result.nnz())]
     stretches = list(_stretches(graph, nodes, parts))
     rows = _Rows(graph, stretches, nodes, sum(sizes))
     functions = [_function(graph, k, stretch, rows) for k, stretch in enumerate(stretches)]
+    bits = [of[name] for name in results]
     return template(
         "points.c",
         {
             "@LANES@": str(_LANES),
             "/* @ELEMENTARY@ */": elementary(),
-            "/* @SIZES@ */": _sizes(results, rows, sum(sizes), nodes),
+            "/* @SIZES@ */": _sizes(results, bits, rows, sum(sizes), nodes),
             "/* @MODEL@ */": "\n".join([*functions, *_drivers(stretches, rows)]),
         },
     )
@@ -182,7 +193,13 @@ def _drivers(stretches: Sequence[Stretch], rows: _Rows) -> Iterator[str]:
     yield block("static void evaluate(lanes *w, int asked)", calls)
 
 
-def _sizes(results: dict[str, ca.SX], rows: _Rows, n_in: int, nodes: Sequence[int]) -> str:
+def _sizes(
+    results: Mapping[str, ca.SX],
+    bits: Sequence[int],
+    rows: _Rows,
+    n_in: int,
+    nodes: Sequence[int],
+) -> str:
     """Numbers of rows and results, and where each element of them stands."""
     first, place, entries = [0], [], iter(nodes)
     for result in results.values():
@@ -198,7 +215,7 @@ def _sizes(results: dict[str, ca.SX], rows: _Rows, n_in: int, nodes: Sequence[in
             f"enum {{ {', '.join(f'{name} = {size}' for name, size in sizes.items())} }};",
             "/* Of each result its first element and its part; of each element its row. */",
             f"static const int32_t FIRST[] = {_table(first)};",
-            f"static const int PART[] = {_table([PARTS[name] for name in results])};",
+            f"static const int PART[] = {_table(bits)};",
             f"static const int16_t PLACE[] = {_table(place)};",
             "",
         ]
