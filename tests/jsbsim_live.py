@@ -44,6 +44,7 @@ INPUTS = {
     "rudder": (("fcs/rudder-pos-rad", 1.0),),
     "aileron": (("fcs/left-aileron-pos-rad", 1.0), ("fcs/right-aileron-pos-rad", -1.0)),
     "elevator": (("fcs/elevator-pos-rad", 1.0),),
+    "steer_norm": (("fcs/steer-cmd-norm", 1.0),),
     "thrust": (("external_reactions/thrust/magnitude", 1 / POUND_FORCE),),
     "F_disturbance": (("external_reactions/disturbance/magnitude", 1 / POUND_FORCE),),
     "wind_x": (("atmosphere/wind-north-fps", 1 / FOOT),),
@@ -128,6 +129,7 @@ def roll(
     steered: int = 2,
     wheels: int = 3,
     step: float = 1 / 2400,
+    targets: Mapping[str, tuple[tuple[str, float], ...]] = INPUTS,
 ) -> dict[str, np.ndarray[Any, np.dtype[np.float64]]]:
     """Channels at the times (multiples of the step): `CHANNELS`, and `N0`... for the loads.
 
@@ -137,6 +139,7 @@ def roll(
     inputs : by the oracle's names; `steer_deg` turns wheel number `steered`
     height, theta : of the CG above the runway (m) and of the body (rad) at the start
     speed, drift : along and to the right of the runway at the start, m/s
+    targets : where inputs act, and by which factors
     """
     name = re.search(r'fdm_config name="([^"]+)"', xml)
     assert name is not None
@@ -166,7 +169,7 @@ def roll(
             if name == "steer_deg":
                 fdm[f"fcs/steer-pos-deg[{steered}]"] = value(signal, t)
             else:
-                for target, factor in INPUTS[name]:
+                for target, factor in targets[name]:
                     fdm[target] = factor * value(signal, t)
 
     apply(0.0)

@@ -33,17 +33,25 @@ def _target(context: click.Context, parameter: click.Parameter, value: str) -> s
     callback=_target,
     metavar="TARGET",
     help="c: a folder of plain C, with an integrator, an example and a Makefile. fmu: a component"
-    " of the Functional Mock-up Interface 3.0, in one file; fmu2: of version 2.0.",
+    " of the Functional Mock-up Interface 3.0, in one file; fmu2: of version 2.0. jsbsim: the"
+    " aircraft as a file of the flight dynamics code JSBSim.",
 )
-@options.model()
+@options.model(None, "nonlinear; landing_roll for jsbsim")
 @click.option("--out", required=True, type=click.Path(path_type=Path), help="Where to write it.")
-def command(plane: str, changes: options.Changes, to: str, model: ModelLike, out: Path) -> None:
+def command(
+    plane: str, changes: options.Changes, to: str, model: ModelLike | None, out: Path
+) -> None:
     """Write a model with the numbers of an aircraft for programs without Python.
 
     --set may change anything that the model knows: parameters, inputs, and states at the start
     (v0).
     """
-    from groundroll.exchange.exporting import export
+    from groundroll.exchange.exporting import written
 
     aircraft, values = options.with_values(plane, changes)
-    say(f"wrote {export(aircraft, to, out, model, **values)}")
+    path, lost = written(aircraft, to, out, model, values)
+    say(f"wrote {path}")
+    if lost:
+        say("It does not carry:")
+    for each in lost:
+        say(f"- {each}")

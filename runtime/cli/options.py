@@ -347,13 +347,13 @@ def with_values(name: str, changes: Changes) -> tuple[Aircraft, dict[str, str]]:
     return loaded(name, tuple(change for change in changes if change[1] is None)), values
 
 
-def model(default: str = "nonlinear") -> Callable[[F], F]:
-    """--model."""
+def model(default: str | None = "nonlinear", told: str | bool = True) -> Callable[[F], F]:
+    """--model; `told` is what help says of a default that depends."""
     return click.option(
         "--model",
         type=ModelName(),
         default=default,
-        show_default=True,
+        show_default=told,
         help="The model: one that ships, or a folder made by `groundroll derive`.",
     )
 
