@@ -178,3 +178,26 @@ def test_all_that_the_file_lacks_is_said_at_once(run: Run) -> None:
     for lacking in ("Izz", "l_front", "l_rear", "C_front", "C_rear", "grip", "wheel_load"):
         assert lacking in told
     assert "width" not in told
+
+
+def test_trim_takes_every_state_and_input(run: Run) -> None:
+    words = ("trim", "car.toml", "--model", "mine/", "--at", "u=72 km/h", *DRIVEN)
+    found = json.loads(run(*words, "--format", "json"))
+    expected = gr.trim(FOUR, own("four_wheels"), speed=20.0, steering="3 deg", brake_left=0.2)
+    assert found["count"] == int(expected.count) == 1
+    assert (found["speed"], found["brake_left"]) == (20.0, 0.2)
+    assert found["r"] == pytest.approx(expected["r"].tolist())
+    assert "speed held by something else" in run(*words)
+
+
+def test_trim_finds_what_is_asked_for(run: Run) -> None:
+    words = ("trim", "cessna-170", "--model", "rollout", "--speed", "30 kt")
+    words = (*words, "--input", "crosswind=8 kt", "--solve-for", "pedal", "--solve-for", "thrust")
+    asked = {"speed": "30 kt", "crosswind": "8 kt", "solve_for": ["pedal", "thrust"]}
+    expected = gr.trim(gr.Aircraft.load("cessna-170"), "rollout", **asked)
+    (row,) = csv.DictReader(run(*words, "--format", "csv").splitlines())
+    assert float(row["pedal"]) == pytest.approx(float(expected["pedal"][0]))
+    assert float(row["thrust [N]"]) == pytest.approx(float(expected["thrust"][0]))
+    narrow = run(*words, "--within", "pedal=-10 %:10 %")
+    assert "no equilibrium: pedal would have to be" in narrow
+    assert "within['pedal'] must be a pair" in run(*words, "--within", "pedal=1", code=1)
