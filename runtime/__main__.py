@@ -6,7 +6,7 @@ import sys
 def main() -> int:
     """Run the command line and return its exit code."""
     try:
-        from .cli import main as run
+        from groundroll.cli import main as run
 
         return run()
     except KeyboardInterrupt:

@@ -25,9 +25,9 @@ from groundroll.derive.core.quantity import Constant
 from groundroll.derive.emit.catalogue import packs
 from groundroll.derive.emit.own import find_model
 from groundroll.generated import pack_of
-from groundroll.models import Model
-from groundroll.names import FUNCTIONS
-from groundroll.names import MODELS as SHIPPED
+from groundroll.model.models import Model
+from groundroll.model.names import FUNCTIONS
+from groundroll.model.names import MODELS as SHIPPED
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Point = tuple[Array, Array, Array]

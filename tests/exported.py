@@ -8,7 +8,7 @@ from own_models import PLANES, own
 
 from groundroll import Aircraft
 from groundroll.generated import PACKS
-from groundroll.models import Model, as_model
+from groundroll.model.models import Model, as_model
 
 
 class Case(NamedTuple):

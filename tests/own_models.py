@@ -8,7 +8,7 @@ from pathlib import Path
 
 from groundroll import Aircraft
 from groundroll.derive.emit.own import derive_file
-from groundroll.models import Model
+from groundroll.model.models import Model
 
 HERE = Path(__file__).parent / "models"
 NAMES = tuple(sorted(path.stem for path in HERE.glob("*.py")))

@@ -9,11 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import groundroll as gr
-from groundroll.aircraft import FOLLOWS, packaged, parameter_symbols
-from groundroll.aircraft_file import AircraftFileError, Mistake, packaged_files
-from groundroll.checking import _usual
-from groundroll.names import MODELS, QUANTITIES
-from groundroll.units import UnitError, from_si, to_si
+from groundroll.aircraft.aircraft import FOLLOWS, packaged
+from groundroll.aircraft.file import AircraftFileError, Mistake
+from groundroll.base.units import UnitError, from_si, to_si
+from groundroll.model.names import MODELS, QUANTITIES, parameter_symbols
+from groundroll.stability.checking import _usual
+from groundroll.tires.data import packaged_tables
 
 BRIEF = """
 title = "Brief"
@@ -117,7 +118,7 @@ def test_a_tire_by_table_by_parameters_and_by_stiffness(tmp_path: Path):
 
 
 def test_a_tire_table_beside_the_file_comes_first(tmp_path: Path):
-    table = packaged_files(".csv")["goodyear-6.00-6"].read_text(encoding="utf-8")
+    table = packaged_tables()["goodyear-6.00-6"].read_text(encoding="utf-8")
     (tmp_path / "mine.csv").write_text(table, encoding="utf-8")
     plane = load(tmp_path, changed("table", '{ value = "mine.csv", source = "my rig" }'))
     assert plane.sources["B1"].text == "fitted to mine.csv; my rig"

@@ -21,12 +21,12 @@ from click.testing import CliRunner
 
 import groundroll as gr
 from groundroll import cli
-from groundroll.aircraft import packaged, parameter_symbols
+from groundroll.aircraft.aircraft import packaged
+from groundroll.aircraft.template import _OTHER_NAMES, template
 from groundroll.cli import output
 from groundroll.generated import PACKS
-from groundroll.models import as_model
-from groundroll.names import MODELS, QUANTITIES
-from groundroll.template import _OTHER_NAMES, template
+from groundroll.model.models import as_model
+from groundroll.model.names import MODELS, QUANTITIES, parameter_symbols
 
 
 def command(name: str) -> click.Command:
@@ -174,8 +174,8 @@ def test_info_says_if_other_equations_made_a_file(run, monkeypatch: pytest.Monke
     run("linearize", "brott", "--out", "lin.npz")
     was = PACKS["nonlinear"].digest
     other = replace(as_model("nonlinear"), digest="0123456789abcdef")
-    monkeypatch.setattr("groundroll.records.as_model", lambda model: other)
-    monkeypatch.setattr("groundroll.models.as_model", lambda model: other)
+    monkeypatch.setattr("groundroll.results.store.as_model", lambda model: other)
+    monkeypatch.setattr("groundroll.model.models.as_model", lambda model: other)
     told = run("info", "lin.npz").out
     assert f"equations of the model nonlinear: {was}, now they are other" in told
 
@@ -420,9 +420,9 @@ def test_headers_are_stacked_where_a_terminal_is_narrow(monkeypatch: pytest.Monk
 
 
 def test_fit_tire_reads_a_file(run, tmp_path: Path):
-    from groundroll.aircraft_file import packaged_files
+    from groundroll.tires.data import packaged_tables
 
-    text = packaged_files(".csv")["goodyear-6.00-6"].read_text(encoding="utf-8")
+    text = packaged_tables()["goodyear-6.00-6"].read_text(encoding="utf-8")
     (tmp_path / "mine.csv").write_text(text, encoding="utf-8")
     found = json.loads(run("fit-tire", "mine.csv", "--format", "json").out)
     assert found["data"] == "mine"

@@ -19,12 +19,12 @@ from oracles import MODELS, right_hand_side
 from scipy.integrate import solve_ivp
 
 import groundroll as gr
-from groundroll import memory
-from groundroll.models import as_model
+from groundroll.aircraft.values import given as given_to
+from groundroll.base import memory
+from groundroll.model.models import as_model
 from groundroll.motion import engine, lanes
 from groundroll.motion.plan import planned
 from groundroll.motion.virtual import integrate_in_vm
-from groundroll.values import given as given_to
 
 PLANE = gr.Aircraft.load("brott-physical")
 FIELDS = ("final", "samples", "largest", "first")

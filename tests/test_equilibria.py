@@ -8,7 +8,7 @@ from own_models import CAR, FOUR, LAGGING, own
 from scipy.optimize import least_squares, root
 
 import groundroll as gr
-from groundroll.models import Model
+from groundroll.model.models import Model
 
 PLANE = gr.Aircraft.load("cessna-170")
 STRAIGHT = {"speed": "30 kt", "crosswind": "8 kt", "solve_for": ("pedal", "thrust")}

@@ -18,8 +18,8 @@ from exported import NAMES, case
 import groundroll as gr
 from groundroll.cli import main
 from groundroll.exchange.subject import subject
-from groundroll.models import as_model
-from groundroll.names import PARAMETERS
+from groundroll.model.models import as_model
+from groundroll.model.names import PARAMETERS
 
 pytestmark = needs_browser
 _FOLDER = tempfile.TemporaryDirectory(prefix="groundroll-page-")

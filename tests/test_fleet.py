@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import groundroll as gr
-from groundroll.aircraft import packaged
+from groundroll.aircraft.aircraft import packaged
 
 DEGREE = np.pi / 180
 INCH = 0.0254

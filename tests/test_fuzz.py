@@ -13,7 +13,7 @@ import pytest
 from fuzz.dose import block
 from fuzz.harness import BAD, MODELS, VERDICTS, Case, attempt
 
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 
 #: Inputs of each surface: about ten seconds of each.
 DOSES = {"files": 300, "calls": 120, "lines": 60, "results": 80}

@@ -25,7 +25,7 @@ from groundroll.derive.emit.casadi_source import CasadiPrinter
 from groundroll.derive.emit.pack import write
 from groundroll.derive.emit.tree import files
 from groundroll.generated import PACKS, library, pack_of
-from groundroll.names import FUNCTIONS
+from groundroll.model.names import FUNCTIONS
 
 FOLDER = Path(generated.__file__).parent
 SOURCES = (".py", ".c", ".md", ".json")

@@ -14,7 +14,7 @@ from oracles import Array, right_hand_side
 from scipy.integrate import solve_ivp
 
 import groundroll as gr
-from groundroll import gusts
+from groundroll.motion import gusts
 from groundroll.motion.signals import Signal
 
 T = np.linspace(0.0, 4.0, 41)

@@ -84,7 +84,13 @@ def test_a_wheel_carries_all_it_needs(site: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        *("py.typed", "fleet/brott.toml", "fleet/goodyear-6.00-6.csv", "study/report.html.j2"),
+        *(
+            "py.typed",
+            "__init__.pyi",
+            "aircraft/fleet/brott.toml",
+            "tires/goodyear-6.00-6.csv",
+            "study/report.html.j2",
+        ),
         *("generated/nonlinear/c/rk45.c", "generated/nonlinear/EQUATIONS.md"),
         *("generated/nonlinear/facts.json", "generated/nonlinear/model.py"),
         *("derive/core/model.py", "derive/emit/simd/ensemble.c"),

@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from oracles import BROTT, MODELS, parameters, points, right_hand_side, state, values
 
 import groundroll as gr
-from groundroll.modes import modes_of
+from groundroll.stability.modes import modes_of
 
 
 def aircraft(model, p=None):

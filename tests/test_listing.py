@@ -17,7 +17,7 @@ from matplotlib import pyplot
 from PIL import Image
 
 import groundroll as gr
-from groundroll.listing import span
+from groundroll.base.listing import span
 
 mpl.use("Agg")
 
@@ -49,7 +49,7 @@ SHOWN: dict[str, tuple[Callable[[], Any], str]] = {
     "Trim": (lambda: gr.trim(PLANE, disturbance=100.0), "<table"),
 }
 #: What says enough in words.
-PLAIN = {"Check", "Envelope", "Limits", "OperatingPoint", "Result", "TireData"}
+PLAIN = {"Check", "Envelope", "Limits", "Model", "OperatingPoint", "Result", "TireData"}
 
 
 @pytest.mark.parametrize("name", SHOWN)

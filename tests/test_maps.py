@@ -7,8 +7,8 @@ from matplotlib import pyplot
 from oracles import PER_DEGREE
 
 import groundroll as gr
-from groundroll.stability import CLOSED_FORMS, OVER_SPEED
-from groundroll.study.cases import case
+from groundroll.stability.closed_forms import CLOSED_FORMS, OVER_SPEED
+from groundroll.study.cases import case, trials_on
 
 
 @pytest.fixture(autouse=True)
@@ -153,8 +153,12 @@ def test_the_boundary_drawn_is_where_the_gear_limit_is():
 
 
 def test_labels_have_units_and_the_legend_names_what_is_drawn():
-    ax = chart(number=19).plot(
-        units={"speed": "km/h"}, trials=True, ranges={"speed": (10.0, 30.0)}, cg_range=True
+    found = chart(number=19)
+    ax = found.plot(
+        units={"speed": "km/h"},
+        marks=trials_on(found),
+        ranges={"speed": (10.0, 30.0)},
+        cg_range=True,
     )
     assert "(m)" in ax.get_xlabel()
     assert "(km/h)" in ax.get_ylabel()
@@ -168,7 +172,8 @@ def test_labels_have_units_and_the_legend_names_what_is_drawn():
 
 
 def test_trials_that_differ_otherwise_are_hollow():
-    ax = chart(number=19).plot(trials=[9, 19])
+    found = chart(number=19)
+    ax = found.plot(marks=trials_on(found, 9, 19))
     faces = {line.get_markerfacecolor() for line in ax.lines if line.get_marker() == "o"}
     assert len(faces) == 2
     words = [text.get_text() for text in ax.get_legend().get_texts()]
@@ -188,7 +193,8 @@ def test_the_cg_range_is_that_of_the_stations():
 
 
 def test_nothing_is_drawn_outside_its_figure():
-    ax = chart(number=19).plot(units={"speed": "km/h"}, trials=True, cg_range=True)
+    found = chart(number=19)
+    ax = found.plot(units={"speed": "km/h"}, marks=trials_on(found), cg_range=True)
     figure = ax.figure
     figure.canvas.draw()
     box = figure.bbox
@@ -238,8 +244,8 @@ def test_a_parameter_that_is_overruled_is_named():
 
 
 def test_pictures_of_what_cannot_be_drawn():
-    with pytest.raises(gr.GroundrollError, match="unknown trial '99'"):
-        chart().plot(trials=[99])
+    with pytest.raises(gr.GroundrollError, match="unknown trial 'Trial 99'"):
+        trials_on(chart(), 99)
     with pytest.raises(gr.GroundrollError, match="cg_range"):
         chart(x=("Ct", np.linspace(1e3, 9e3, 5))).plot(cg_range=True)
     with pytest.raises(gr.GroundrollError, match="ranges"):

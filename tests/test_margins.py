@@ -36,7 +36,7 @@ from groundroll.derive.theory.closed_forms import (
     stiffnesses,
 )
 from groundroll.derive.theory.loads import static_loads
-from groundroll.polynomials import negative_stretch, roots
+from groundroll.stability.polynomials import negative_stretch, roots
 
 NAMES = tuple(map(str, MODELS["linear"].parameters))
 

@@ -13,8 +13,8 @@ from oracles import Array
 from scipy.linalg import expm
 
 import groundroll as gr
-from groundroll import gusts
-from groundroll.curve import Curve
+from groundroll.motion import gusts
+from groundroll.runs.curve import Curve
 
 PLANE = gr.Aircraft.load("brott-physical")
 TRICYCLE = {"a": -0.5, "Ct": 0.0}

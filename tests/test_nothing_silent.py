@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 
 import groundroll as gr
-from groundroll.aircraft import parameter_symbols
-from groundroll.errors import GroundrollError
-from groundroll.files import complete
+from groundroll.base.errors import GroundrollError
+from groundroll.base.files import complete
 from groundroll.generated import kernels
-from groundroll.polynomials import roots
+from groundroll.model.names import parameter_symbols
+from groundroll.stability.polynomials import roots
 
 
 def write(path: Path, text: str = "new") -> None:

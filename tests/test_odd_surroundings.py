@@ -17,13 +17,13 @@ import pytest
 
 import groundroll as gr
 from groundroll import cli
-from groundroll.aircraft import Source
+from groundroll.aircraft.source import Source
+from groundroll.aircraft.template import template
+from groundroll.base.errors import GroundrollError
+from groundroll.base.files import complete
+from groundroll.base.interruption import ended, heeded
 from groundroll.cli.output import Output, emit
-from groundroll.errors import GroundrollError
-from groundroll.files import complete
-from groundroll.interruption import ended, heeded
-from groundroll.runway import runway_view
-from groundroll.template import template
+from groundroll.view.runway import runway_view
 
 ESCAPE = "\x1b[31mred\x9b0m"
 

@@ -12,9 +12,11 @@ import pytest
 from own_models import CAR, FOUR, HERE, LAGGING, own
 
 import groundroll as gr
-from groundroll import models, records
 from groundroll.derive.emit.own import derive_file
-from groundroll.models import Model, as_model
+from groundroll.model import models
+from groundroll.model.models import Model, as_model
+from groundroll.results import store
+from groundroll.results.records import measured
 
 STEERING = gr.signals.step("3 deg", start=0.5)
 #: An own model with several inputs: constant, an array, over time.
@@ -138,7 +140,7 @@ def test_another_model_may_change(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         model = as_model(name)
         return dataclasses.replace(model, digest="0") if model.name == "linear" else model
 
-    monkeypatch.setattr(records, "as_model", changed)
+    monkeypatch.setattr(store, "as_model", changed)
     assert gr.Linearization.load(path).model == "nonlinear"
 
 
@@ -157,9 +159,9 @@ def test_what_an_aircraft_varies_may_be_called_like_a_result(tmp_path: Path) -> 
     arms = np.array([1.0, 1.2])
     plane = CAR.with_own({**CAR.own, "l_front": arms}).replace(u=np.array([[20.0], [30.0]]))
     lin = gr.linearize(plane, own("single_track"))
-    column = records.measured((), np.array(1.0), as_model("nonlinear").quantities["v"])
+    column = measured((), np.array(1.0), as_model("nonlinear").quantities["v"])
     record = dataclasses.replace(lin._record(), results={"u": column, "l_front": column})
-    back = records.read(records.write(record, tmp_path / "kept.npz"))
+    back = store.read(store.write(record, tmp_path / "kept.npz"))
     assert set(record.varied) == {"aircraft_u", "own_l_front"}
     assert np.array_equal(back.aircraft["u"], [[20.0], [30.0]])
     assert np.array_equal(back.aircraft.own["l_front"], arms)

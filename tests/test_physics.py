@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from oracles import BROTT, MODELS, TRIALS, Array, call, parameters, points, state, values, vector
 
 from groundroll.generated import integrators, load
-from groundroll.names import MODELS as SIGNATURES
+from groundroll.model.names import MODELS as SIGNATURES
 
 NO_INPUT = np.zeros(1)
 MIRROR = np.array([-1, -1, -1, -1, 1, -1, -1])  # v, r, y, theta, X, Y, psi

@@ -20,7 +20,7 @@ from oracles import BROTT, MODELS, PER_DEGREE, Array, right_hand_side
 from scipy.integrate import solve_ivp
 
 import groundroll as gr
-from groundroll.evaluate import elementwise
+from groundroll.model.evaluate import elementwise
 from groundroll.placement import SOURCES
 from groundroll.placement.search import least
 from groundroll.placement.worked import WorkedStudy, worked_study

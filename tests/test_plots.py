@@ -9,9 +9,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import groundroll as gr
-from groundroll.names import QUANTITIES
-from groundroll.plots import style, time_history
-from groundroll.shown import Units
+from groundroll.model.names import QUANTITIES
+from groundroll.model.shown import Units
+from groundroll.view.plots import style, time_history
 
 
 @pytest.fixture(scope="module")

@@ -8,11 +8,11 @@ from own_models import NAMES as OWN
 from own_models import own
 
 import groundroll as gr
-from groundroll import points as module
 from groundroll.generated import PACKS
-from groundroll.models import Model, as_model
-from groundroll.operating_point import points_at
-from groundroll.points import NAMES, Points
+from groundroll.linear import points as module
+from groundroll.linear.operating_point import points_at
+from groundroll.linear.points import NAMES, Points
+from groundroll.model.models import Model, as_model
 
 SHIPPED = [name for name, pack in PACKS.items() if pack.states]
 MODELS = [*SHIPPED, *OWN]

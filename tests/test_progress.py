@@ -16,8 +16,8 @@ import pytest
 
 import groundroll as gr
 from groundroll import cli
-from groundroll.cli import progress
-from groundroll.progress import Count, Progress, counted
+from groundroll.base import bar
+from groundroll.base.progress import Count, Progress, counted
 
 PLANE = gr.Aircraft.load("brott-physical")
 CESSNA = gr.Aircraft.load("cessna-170")
@@ -96,7 +96,7 @@ class Terminal(io.StringIO):
 def on_terminal(moment: float = 0.0) -> Iterator[Terminal]:
     """A terminal, and how long a moment lasts."""
     with pytest.MonkeyPatch.context() as patch, redirect_stderr(Terminal()) as terminal:
-        patch.setattr(progress, "_MOMENT", moment)
+        patch.setattr(bar, "_MOMENT", moment)
         yield terminal
 
 
@@ -132,7 +132,7 @@ def test_what_has_no_total_is_counted():
 
 def test_who_tells_nothing_asks_for_patience():
     with on_terminal() as terminal:
-        with progress.bar():
+        with bar.bar():
             for timer in threading.enumerate():
                 if isinstance(timer, threading.Timer):
                     timer.join()

@@ -22,9 +22,10 @@ import pytest
 import xarray as xr
 
 import groundroll as gr
-from groundroll import memory, records
-from groundroll.models import as_model
-from groundroll.results import KINDS
+from groundroll.base import memory
+from groundroll.model.models import as_model
+from groundroll.results import store
+from groundroll.results.doors import KINDS
 
 DIGEST = as_model("nonlinear").digest
 
@@ -116,7 +117,7 @@ def test_results_can_be_sent_to_other_processes(name: str) -> None:
 
 def test_every_kind_of_result_can_be_kept() -> None:
     made = {type(kept(name)).__name__ for name in MADE}
-    assert made == {name for _, name in KINDS.values()}
+    assert made == {place.rpartition(".")[2] for place in KINDS.values()}
     assert made == {kind.__name__ for kind in gr.Result.__subclasses__()}
 
 
@@ -149,7 +150,7 @@ def test_a_gust_comes_back(plane: gr.Aircraft, suffix: str, tmp_path: Path) -> N
 
 @pytest.mark.parametrize("suffix", [".npz", ".nc"])
 def test_a_record_says_where_it_comes_from(run: gr.Trajectory, suffix: str, tmp_path: Path) -> None:
-    record = records.read(run.save(tmp_path / f"run{suffix}"))
+    record = store.read(run.save(tmp_path / f"run{suffix}"))
     assert record.provenance["equations"] == DIGEST
     assert {"groundroll", "casadi", "numpy"} < record.provenance.keys()
     assert record.aircraft.sources == run.aircraft.sources
@@ -172,7 +173,7 @@ def test_a_run_of_other_equations_is_refused(
 ) -> None:
     path = run.save(tmp_path / f"run{suffix}")
     other = dataclasses.replace(as_model("nonlinear"), digest="0123456789abcdef")
-    monkeypatch.setattr(records, "as_model", lambda _: other)
+    monkeypatch.setattr(store, "as_model", lambda _: other)
     with pytest.raises(gr.GroundrollError, match=rf"other equations .digest {DIGEST}.*0123"):
         gr.Trajectory.load(path)
     assert gr.Trajectory.load(path, other_equations=True)["v"][0] == run["v"][0]
@@ -182,7 +183,7 @@ def test_a_record_of_another_layout_is_refused(
     run: gr.Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = run.save(tmp_path / "run.npz")
-    monkeypatch.setattr(records, "_LAYOUT", 99)
+    monkeypatch.setattr(store, "_LAYOUT", 99)
     with pytest.raises(gr.GroundrollError, match="has the layout 3; this reads the layout 99"):
         gr.Trajectory.load(path)
 

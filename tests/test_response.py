@@ -9,7 +9,7 @@ from matplotlib import pyplot
 from oracles import BROTT, MODELS, PER_DEGREE, points
 
 import groundroll as gr
-from groundroll.response import follow
+from groundroll.linear.response import follow
 
 
 @pytest.fixture(autouse=True)

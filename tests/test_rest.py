@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import groundroll as gr
-from groundroll.aircraft import packaged
+from groundroll.aircraft.aircraft import packaged
 
 
 @pytest.mark.parametrize("name", [n for n in packaged() if n != "brott"])

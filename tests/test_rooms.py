@@ -1,9 +1,11 @@
 """Three rooms, one direction of travel: derive writes generated, runtime imports generated."""
 
 import ast
+import importlib
 import subprocess
 import sys
 from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
 from itertools import chain
 from pathlib import Path
 
@@ -11,7 +13,8 @@ import pytest
 
 import groundroll
 from groundroll import derive, generated
-from groundroll.names import QUANTITIES
+from groundroll.model.names import QUANTITIES
+from groundroll.results import doors
 
 ROOMS = {
     "groundroll.derive": Path(derive.__file__).parent,
@@ -62,7 +65,7 @@ def test_every_room_has_modules():
         "groundroll.derive.core.frames",
         "groundroll.generated.nonlinear.model",
     } < MODULES.keys()
-    assert "groundroll.simulation" in RUNTIME
+    assert "groundroll.runs.simulation" in RUNTIME
     assert not any(
         name.startswith(("groundroll.derive", "groundroll.generated")) for name in RUNTIME
     )
@@ -123,6 +126,81 @@ def test_nothing_in_runtime_or_generated_loads_sympy():
         for name in loaded
         if name.split(".")[0] == "sympy" or name.startswith("groundroll.derive")
     ]
+
+
+# --- Rooms of the runtime -------------------------------------------------------------------
+
+#: In this order: a room imports only rooms before it.
+ORDER = (
+    "base",
+    "model",
+    "tires",
+    "aircraft",
+    "results",
+    "motion",
+    "stability",
+    "linear",
+    "runs",
+    "view",
+    "fates",
+    "placement",
+    "control",
+    "study",
+    "exchange",
+    "cli",
+)
+
+
+def needed(module: str) -> set[str]:
+    """Modules of the runtime that a module imports, early or late, but not for types alone."""
+    path = MODULES[module]
+    package = module if path.name == "__init__.py" else module.rpartition(".")[0]
+    tree = ast.parse(path.read_text())
+    for node in ast.walk(tree):
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            node.body = []
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            home = node.module or ""
+            if node.level:
+                above = package.split(".")[: len(package.split(".")) - node.level + 1]
+                home = ".".join([*above, home]).strip(".")
+            each = [f"{home}.{alias.name}" for alias in node.names]
+            found |= {name if name in RUNTIME else home for name in each}
+    return found & RUNTIME.keys() - {module, "groundroll"}
+
+
+def room(module: str) -> str:
+    return module.split(".")[1]
+
+
+INSIDE = {name: needed(name) for name in RUNTIME if name.count(".") > 1}
+
+
+def test_each_room_imports_only_rooms_before_it():
+    assert {room(name) for name in INSIDE} == set(ORDER)
+    backwards = [
+        f"{name} imports {other}"
+        for name, others in INSIDE.items()
+        for other in others
+        if ORDER.index(room(other)) > ORDER.index(room(name))
+    ]
+    assert backwards == []
+
+
+def test_no_module_imports_itself_in_a_circle():
+    """Neither when it is loaded nor inside functions."""
+    assert list(TopologicalSorter(INSIDE).static_order())
+    with pytest.raises(CycleError):
+        TopologicalSorter({**INSIDE, "groundroll.base.errors": {"groundroll.base.units"}}).prepare()
+
+
+def test_what_results_open_late_is_there():
+    for places in (doors.KINDS, doors.PICTURES):
+        for place in places.values():
+            module, _, name = place.rpartition(".")
+            assert hasattr(importlib.import_module(f"groundroll.{module}"), name)
 
 
 # --- Runtime holds no formula ---------------------------------------------------------------

@@ -17,7 +17,7 @@ from own_models import FOUR, PLANES, own
 from PIL import Image
 
 import groundroll as gr
-from groundroll.models import as_model
+from groundroll.model.models import as_model
 
 mpl.use("Agg")
 
@@ -170,7 +170,7 @@ def test_a_long_roll_can_be_seen() -> None:
 
 def test_a_model_that_does_not_say_where_it_is(loop: gr.Trajectory, monkeypatch) -> None:
     model = dataclasses.replace(as_model("nonlinear"), roles={"heading": "psi"})
-    monkeypatch.setattr("groundroll.rolls.as_model", lambda _: model)
+    monkeypatch.setattr("groundroll.view.rolls.as_model", lambda _: model)
     with pytest.raises(gr.GroundrollError, match="no distance and no offset"):
         gr.runway_view(loop)
 

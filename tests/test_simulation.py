@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import groundroll as gr
-from groundroll.names import MODELS
+from groundroll.model.names import MODELS
 
 TRICYCLE = {"cg_station": "13.6 in", "a": -0.5, "Ct": 0}
 

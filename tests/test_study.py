@@ -20,13 +20,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import groundroll as gr
 from groundroll import study
-from groundroll.evaluate import elementwise
-from groundroll.names import DIGEST
+from groundroll.model.evaluate import elementwise
+from groundroll.model.names import DIGEST
 from groundroll.study import cases, figures, ledger, output, report, sources
 from groundroll.study.cases import case
 from groundroll.study.thesis_tire import normalised_rms
-from groundroll.tire_data import TireData
-from groundroll.tire_quality import compare, force_rms
+from groundroll.tires.data import TireData
+from groundroll.tires.quality import compare, force_rms
 
 FIGURES = [f"3.{k}" for k in range(3, 9)] + [f"4.{k}" for k in range(5, 43)]
 TABLES = ["3.2", *(f"4.{k}" for k in range(1, 12))]

@@ -9,8 +9,8 @@ from matplotlib import pyplot
 
 import groundroll as gr
 from groundroll import cli
-from groundroll.evaluate import elementwise
-from groundroll.fates import FATES, Criterion, fates
+from groundroll.fates.fates import FATES, Criterion, fates
+from groundroll.model.evaluate import elementwise
 
 mpl.use("Agg")
 

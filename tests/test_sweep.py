@@ -10,10 +10,10 @@ from oracles import values
 
 import groundroll as gr
 from groundroll import generated
-from groundroll.evaluate import elementwise
 from groundroll.generated import PACKS, kernels
-from groundroll.stability import CLOSED_FORMS
-from groundroll.sweeps import SWEPT
+from groundroll.model.evaluate import elementwise
+from groundroll.stability.closed_forms import CLOSED_FORMS
+from groundroll.stability.sweeps import SWEPT
 
 PLANE = gr.Aircraft.load("brott")
 RNG = np.random.default_rng(3)

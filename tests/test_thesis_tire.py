@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from scipy.optimize import approx_fprime, least_squares
 
 import groundroll as gr
-from groundroll.evaluate import elementwise
+from groundroll.model.evaluate import elementwise
 from groundroll.study.thesis_tire import (
     MAGIC,
     THESIS_START,
@@ -24,8 +24,8 @@ from groundroll.study.thesis_tire import (
     table_3_1,
     thesis_fit,
 )
-from groundroll.tire_data import TireData
-from groundroll.tire_quality import compare, force_rms
+from groundroll.tires.data import TireData
+from groundroll.tires.quality import compare, force_rms
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 

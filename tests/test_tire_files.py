@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 import groundroll as gr
-from groundroll.tire_data import TireData
-from groundroll.tire_fit import fit_tire
+from groundroll.tires.data import TireData
+from groundroll.tires.fit import fit_tire
 
 CASES = Path(__file__).parent / "data" / "tires"
 LBF = 4.4482216152605

@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 from scipy.optimize import least_squares
 
 import groundroll as gr
-from groundroll.evaluate import elementwise
-from groundroll.tire_data import TireData
-from groundroll.tire_fit import PARAMETERS, TireFit, fit_tire
-from groundroll.tire_quality import compare, force_rms, slope_at_zero
+from groundroll.model.evaluate import elementwise
+from groundroll.tires.data import TireData
+from groundroll.tires.fit import PARAMETERS, TireFit, fit_tire
+from groundroll.tires.quality import compare, force_rms, slope_at_zero
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -112,7 +112,7 @@ class TestPackaged:
             assert GOODYEAR.parameters[s] == pytest.approx(value, rel=1e-3), s
 
     def test_the_data_of_tires_that_nobody_measured(self) -> None:
-        from groundroll.tire_size import tires
+        from groundroll.tires.size import tires
 
         for s, entry in tires()["curve"].items():
             if s != "C5":

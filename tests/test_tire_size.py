@@ -14,9 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import groundroll as gr
-from groundroll.checking import check
-from groundroll.evaluate import elementwise
-from groundroll.tire_size import dimensions, surfaces, tire_size, tires
+from groundroll.model.evaluate import elementwise
+from groundroll.stability.checking import check
+from groundroll.tires.size import dimensions, surfaces, tire_size, tires
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 

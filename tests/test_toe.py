@@ -14,7 +14,7 @@ from groundroll.derive.parts.gear import track
 from groundroll.derive.parts.quantities import C_alpha, Ct, a, b, h_cg, u
 from groundroll.derive.theory import closed_forms as closed
 from groundroll.derive.theory.toe import C_load, toe_effects
-from groundroll.evaluate import elementwise
+from groundroll.model.evaluate import elementwise
 
 CHAIN = {e.lhs.name: e.rhs for e in toe_effects()}
 POSITIVE = st.floats(0.1, 1.0)

@@ -13,12 +13,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import groundroll as gr
-from groundroll.checking import check
+from groundroll.aircraft.validity import extrapolated, extrapolated_in
 from groundroll.cli import main
 from groundroll.derive.core.equation import expand
 from groundroll.derive.core.quantity import Quantity
 from groundroll.derive.parts import friction
-from groundroll.validity import extrapolated, extrapolated_in
+from groundroll.stability.checking import check
 
 BROTT = gr.Aircraft.load("brott-physical")
 HEAVY = BROTT.replace(mass="3000 kg")

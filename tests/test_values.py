@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import groundroll as gr
-from groundroll.models import Model
-from groundroll.values import given
+from groundroll.aircraft.values import given
+from groundroll.model.models import Model
 
 PLANE = gr.Aircraft.load("brott-physical")
 MODEL = Model.load("nonlinear")

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib import pyplot
 
 import groundroll as gr
-from groundroll.plots import style
+from groundroll.view.plots import style
 
 plane = gr.Aircraft.load("brott-physical")
 speed = np.linspace(5.0, 50.0, 91)  # m/s

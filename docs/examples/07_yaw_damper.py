@@ -17,7 +17,7 @@ from matplotlib import pyplot
 
 import groundroll as gr
 from groundroll import generated
-from groundroll.plots import COLOURS, style
+from groundroll.view.plots import COLOURS, style
 
 plane = gr.Aircraft.load("brott-physical").replace(tail_wheel_stiffness=0.0)
 p = plane.parameters("nonlinear")

@@ -68,7 +68,7 @@ class _LazyGroup(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args and args[0] not in COMMANDS:
-            from groundroll.errors import unknown
+            from groundroll.base.errors import unknown
 
             raise click.UsageError(str(unknown("command", args[0], COMMANDS)), ctx)
         return super().resolve_command(ctx, args)
@@ -86,8 +86,8 @@ def _group() -> None:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code, one of those above."""
-    from groundroll.errors import GroundrollError
-    from groundroll.interruption import ended, heeded
+    from groundroll.base.errors import GroundrollError
+    from groundroll.base.interruption import ended, heeded
 
     from .output import drop_stdout
 

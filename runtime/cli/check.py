@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 import click
 
+from groundroll.base.bar import bar
+
 from . import options
 from .output import Output, emit, filled, number, paragraph, shown, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.aircraft import Aircraft
-    from groundroll.checking import Check, Known
+    from groundroll.aircraft.aircraft import Aircraft
+    from groundroll.stability.checking import Check, Known
 
 #: Whoever weighs in these reads forces in pounds too.
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds"))
@@ -35,7 +36,7 @@ def command(
 
     Exits with 1 if the file has mistakes or no model can be run with it.
     """
-    from groundroll.checking import check
+    from groundroll.stability.checking import check
 
     with bar():
         found = check(options.loaded(plane, changes))
@@ -83,7 +84,7 @@ def _missing(found: Check) -> Iterator[tuple[str, tuple[str, ...]]]:
 
 def _sheet(plane: Aircraft) -> dict[str, str]:
     """Units for what follows, by SI unit: those of the sheet it follows from."""
-    from groundroll.consistency import as_written
+    from groundroll.aircraft.consistency import as_written
 
     units: dict[str, str] = {}
     if as_written(plane, "m")[1] in _POUNDS:
@@ -108,7 +109,7 @@ def _table(
 
 def _value(k: Known, units: Mapping[str, str]) -> tuple[str, str]:
     """Value and unit as written, or as people read them."""
-    from groundroll.units import from_si, parts
+    from groundroll.base.units import from_si, parts
 
     text, unit = parts(k.source.entry)
     if text:

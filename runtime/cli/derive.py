@@ -20,7 +20,7 @@ def command(file: Path, out: Path, name: str) -> None:
     FILE is a Python file with a model: a body and a list of parts. The folder is what --model and
     gr.Model.load take.
     """
-    from groundroll.errors import GroundrollError
+    from groundroll.base.errors import GroundrollError
 
     try:
         from groundroll.derive.core.model import ModelError

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from groundroll.models import Model, ModelLike, as_model
-from groundroll.names import MODELS, QUANTITIES
+from groundroll.base.bar import bar
+from groundroll.model.models import Model, ModelLike, as_model
+from groundroll.model.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, filled, number, say, shown, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.ensemble_result import Ensemble
+    from groundroll.runs.ensemble_result import Ensemble
 
 _STATES = MODELS["nonlinear"].states
 _STARTS = {f"{s}0": QUANTITIES[s].unit for s in _STATES}
@@ -31,8 +31,8 @@ _limit = partial(click.option, type=options.Named(), multiple=True)
 
 
 def _magnitudes(model: Model, given: options.Values, option: str) -> dict[str, float]:
-    from groundroll.arrays import single
-    from groundroll.errors import GroundrollError
+    from groundroll.base.arrays import single
+    from groundroll.base.errors import GroundrollError
 
     found = {}
     for name, text in given:
@@ -129,7 +129,7 @@ def command(
     A range is name=low:high or name=low:high:points, with units. The table tells how the results
     are spread; csv and json hold every trajectory.
     """
-    from groundroll.ensembles import ensemble
+    from groundroll.runs.ensembles import ensemble
 
     aircraft, known = options.loaded(plane, changes, model), as_model(model)
     of = extremes or known.roles.get("heading", known.dynamic[0])
@@ -204,7 +204,7 @@ def _crossed(axes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _figure(ens: Ensemble, axes: dict[str, Any], units: Mapping[str, str]) -> Any:
-    from groundroll.ensemble_plot import plot_over, plot_spread
+    from groundroll.view.ensembles import plot_over, plot_spread
 
     of = next(iter(ens.largest))
     units = {name: unit for name, unit in units.items() if unit}  # a bare number has none
@@ -226,7 +226,7 @@ def _text(ens: Ensemble, ranges: Mapping[str, options.Grid], random: int | None)
 
 
 def _range(ens: Ensemble, grid: options.Grid) -> str:
-    from groundroll.ensemble_plot import varied
+    from groundroll.view.ensembles import varied
 
     q, before = varied(ens, grid.symbol)
     values = grid.values[1]
@@ -273,7 +273,7 @@ def _columns(ens: Ensemble) -> dict[str, tuple[str, Any]]:
 
 
 def _rows(ens: Ensemble, axes: Mapping[str, Any], drawn: bool) -> Iterator[list[Any]]:
-    from groundroll.ensemble_plot import varied
+    from groundroll.view.ensembles import varied
 
     columns = _columns(ens)
     heads = [options.with_unit(s, varied(ens, s)[0].unit) for s in axes]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from groundroll.models import ModelLike
+from groundroll.model.models import ModelLike
 
 from . import options
 from .output import say

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import click
 
-from groundroll.models import ModelLike
+from groundroll.model.models import ModelLike
 
 from . import options
 from .output import say
 
 
 def _target(context: click.Context, parameter: click.Parameter, value: str) -> str:
-    from groundroll.errors import GroundrollError, unknown
+    from groundroll.base.errors import GroundrollError, unknown
     from groundroll.exchange.exporting import TARGETS
 
     if value not in TARGETS:

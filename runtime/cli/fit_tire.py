@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.shell_completion import CompletionItem
 
+from groundroll.base.bar import bar
+
 from . import options
 from .output import Output, emit, number, paragraph, shown, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.tire_fit import TireFit
+    from groundroll.tires.fit import TireFit
 
 
 class _TireData(options.ParamType):
@@ -22,9 +23,9 @@ class _TireData(options.ParamType):
     name = "data"
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
-        from groundroll.aircraft_file import packaged_files
+        from groundroll.tires.data import packaged_tables
 
-        names = [n for n in packaged_files(".csv") if n.startswith(incomplete)]
+        names = [n for n in packaged_tables() if n.startswith(incomplete)]
         return [*map(CompletionItem, names), CompletionItem(incomplete, type="file")]
 
 
@@ -40,7 +41,7 @@ def command(data: str, form: str, out: Path | None) -> None:
 
     An aircraft file can name the table itself: table = "file.csv" in [main_tires].
     """
-    from groundroll.tire_fit import fit_tire
+    from groundroll.tires.fit import fit_tire
 
     with bar():
         fit = fit_tire(data)
@@ -60,7 +61,7 @@ def _text(fit: TireFit) -> str:
 
 
 def _rows(fit: TireFit) -> list[list[Any]]:
-    from groundroll.names import QUANTITIES
+    from groundroll.model.names import QUANTITIES
 
     found = [
         [s, QUANTITIES[s].name, float(value), QUANTITIES[s].unit]

@@ -33,8 +33,8 @@ def command(file: Path | None, form: str, out: Path | None) -> None:
 
 def _kept(file: Path) -> Output:
     """What is in a file, also if other equations than those installed made it."""
-    from groundroll.records import read
-    from groundroll.results import restored
+    from groundroll.results.results import restored
+    from groundroll.results.store import read
 
     record = read(file, other_equations=True)
     result = restored(record)
@@ -69,16 +69,17 @@ _GROUPS = ("states", "dynamic", "inputs", "parameters", "outputs")
 
 
 def _data() -> dict[str, Any]:
-    from groundroll.aircraft_file import load, packaged_files
-    from groundroll.names import DIGEST, MODELS
+    from groundroll.aircraft.aircraft import Aircraft, packaged
+    from groundroll.model.names import DIGEST, MODELS
+    from groundroll.tires.data import packaged_tables
 
     return {
         "versions": {name: version(name) for name in ("groundroll", "casadi", "numpy")}
         | {"python": platform.python_version()},
         "equations": DIGEST,
         "code": _code(),
-        "aircraft": {name: load(name).title for name in sorted(packaged_files())},
-        "tires": sorted(packaged_files(".csv")),
+        "aircraft": {name: Aircraft.load(name).title for name in packaged()},
+        "tires": sorted(packaged_tables()),
         "models": {name: {g: getattr(m, g) for g in _GROUPS} for name, m in MODELS.items()},
     }
 

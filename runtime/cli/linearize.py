@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.models import ModelLike, as_model
+from groundroll.base.bar import bar
+from groundroll.model.models import ModelLike, as_model
 
 from . import options
 from .output import Output, emit, number, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.linearization import Linearization
+    from groundroll.linear.linearization import Linearization
 
 _SCALARS = {
     "decay_rate": "1/s",
@@ -54,7 +54,7 @@ def command(
 
     It need not be an equilibrium: the drift holds the rates of the states there.
     """
-    from groundroll.linearization import linearize
+    from groundroll.linear.linearization import linearize
 
     own = {"v": v, "r": r, "disturbance": disturbance, "speed": speed}
     point = options.by_name(own, states, inputs)

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from groundroll.base.bar import bar
+
 from . import options
 from .output import Output, emit, filled, number, shown, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.maps import StabilityMap
+    from groundroll.stability.maps import StabilityMap
 
 
 @click.command(
@@ -49,7 +50,7 @@ def command(
 
     A range is name=low:high or name=low:high:points, with units.
     """
-    from groundroll.maps import stability_map
+    from groundroll.stability.maps import stability_map
 
     with bar():
         chart = stability_map(options.loaded(plane, changes), x.values, y.values, of)
@@ -71,7 +72,7 @@ def _text(chart: StabilityMap) -> str:
 
 
 def _axis(symbol: str, values: Any) -> str:
-    from groundroll.names import QUANTITIES
+    from groundroll.model.names import QUANTITIES
 
     q = QUANTITIES[symbol]
     low, unit = shown(values[0], q.unit)
@@ -79,7 +80,7 @@ def _axis(symbol: str, values: Any) -> str:
 
 
 def _extremes(chart: StabilityMap) -> str:
-    from groundroll.names import QUANTITIES
+    from groundroll.model.names import QUANTITIES
 
     axes = [(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
     heads = [options.with_unit(s, shown(0.0, unit)[1] or "1") for s, unit in axes]
@@ -95,7 +96,7 @@ def _extremes(chart: StabilityMap) -> str:
 
 
 def _rows(chart: StabilityMap) -> Iterator[list[Any]]:
-    from groundroll.names import QUANTITIES
+    from groundroll.model.names import QUANTITIES
 
     axes = [options.with_unit(s, QUANTITIES[s].unit) for s in (chart.x_name, chart.y_name)]
     yield [*axes, options.with_unit(chart.of, chart.unit), "stable"]

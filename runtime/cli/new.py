@@ -31,10 +31,10 @@ def command(file: Path, like: str | None, force: bool) -> None:
 
 def _content(file: Path, like: str | None) -> str:
     if like is None:
-        from groundroll.template import template
+        from groundroll.aircraft.template import template
 
         return template(file.stem, file.name)
-    from groundroll.aircraft_file import locate
-    from groundroll.files import text_of
+    from groundroll.aircraft.file import locate
+    from groundroll.base.files import text_of
 
     return text_of(locate(like))

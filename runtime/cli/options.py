@@ -14,8 +14,8 @@ from click.shell_completion import CompletionItem
 from .output import FORMATS, KEPT, KEPT_IN
 
 if TYPE_CHECKING:
-    from groundroll.aircraft import Aircraft
-    from groundroll.models import Model, ModelLike
+    from groundroll.aircraft.aircraft import Aircraft
+    from groundroll.model.models import Model, ModelLike
 
     ParamType = click.ParamType[Any]
 else:
@@ -73,7 +73,7 @@ class Quantity(ParamType):
         self.unit = unit
 
     def convert(self, value: Any, param: Any, ctx: Any) -> float:
-        from groundroll.units import UnitError, to_si
+        from groundroll.base.units import UnitError, to_si
 
         if not isinstance(value, str):
             return float(value)
@@ -89,9 +89,8 @@ class Range(ParamType):
     name = "name=low:high[:points]"
 
     def convert(self, value: Any, param: Any, ctx: Any) -> Grid:
-        from groundroll.aircraft import parameter_symbols
-        from groundroll.errors import GroundrollError
-        from groundroll.names import QUANTITIES, symbol
+        from groundroll.base.errors import GroundrollError
+        from groundroll.model.names import QUANTITIES, parameter_symbols, symbol
 
         if isinstance(value, Grid):
             return value
@@ -116,9 +115,9 @@ def range_of(model: Model, text: str, option: str, where: str) -> Grid:
     BadParameter
         If there is no such name, or the range is none.
     """
-    from groundroll.errors import GroundrollError
-    from groundroll.names import PARAMETERS
-    from groundroll.values import kind_of
+    from groundroll.aircraft.values import kind_of
+    from groundroll.base.errors import GroundrollError
+    from groundroll.model.names import PARAMETERS
 
     name, _, ends = (part.strip() for part in text.partition("="))
     if not (name and _split(ends)):
@@ -142,7 +141,7 @@ class QuantityOrRange(Quantity):
         self.key = key
 
     def convert(self, value: Any, param: Any, ctx: Any) -> Any:
-        from groundroll.errors import GroundrollError
+        from groundroll.base.errors import GroundrollError
 
         if isinstance(value, Grid) or ":" not in str(value):
             return value if isinstance(value, Grid) else super().convert(value, param, ctx)
@@ -165,9 +164,9 @@ def _grid(key: str, name: str, text: str, unit: str) -> Grid:
     """A range as written, in the SI unit."""
     import numpy as np
 
-    from groundroll.errors import shown
-    from groundroll.memory import check_memory
-    from groundroll.units import parts, to_si
+    from groundroll.base.errors import shown
+    from groundroll.base.memory import check_memory
+    from groundroll.base.units import parts, to_si
 
     low, high, points = _split(text) or ("", "", "")
     ends = [to_si(end, unit, name) for end in (low, high)]
@@ -186,7 +185,7 @@ class AircraftName(ParamType):
     name = "aircraft"
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
-        from groundroll.aircraft import packaged
+        from groundroll.aircraft.aircraft import packaged
 
         names = [CompletionItem(n) for n in packaged() if n.startswith(incomplete)]
         return [*names, CompletionItem(incomplete, type="file")]
@@ -198,8 +197,8 @@ class ModelName(ParamType):
     name = "model"
 
     def convert(self, value: Any, param: Any, ctx: Any) -> str:
-        from groundroll.errors import GroundrollError
-        from groundroll.models import as_model
+        from groundroll.base.errors import GroundrollError
+        from groundroll.model.models import as_model
 
         try:
             return as_model(value).key
@@ -225,8 +224,7 @@ class Assignment(ParamType):
         return name.strip(), text.strip() or None
 
     def shell_complete(self, ctx: Any, param: Any, incomplete: str) -> list[CompletionItem]:
-        from groundroll.aircraft import parameter_symbols
-        from groundroll.names import QUANTITIES
+        from groundroll.model.names import QUANTITIES, parameter_symbols
 
         names = [QUANTITIES[s].name for s in parameter_symbols()]
         return [CompletionItem(f"{n}=") for n in names if n.startswith(incomplete)]
@@ -293,7 +291,7 @@ def aircraft(command: F) -> F:
 
 def tell(plane: Aircraft, values: Mapping[str, Any] | None = None) -> None:
     """Say on stderr what is asked of the tires, in results, beyond what they were measured at."""
-    from groundroll.validity import extrapolated_in
+    from groundroll.aircraft.validity import extrapolated_in
 
     from .output import say
 
@@ -303,8 +301,8 @@ def tell(plane: Aircraft, values: Mapping[str, Any] | None = None) -> None:
 
 def loaded(name: str, changes: Changes, model: ModelLike | None = None) -> Aircraft:
     """The aircraft that AIRCRAFT and --set describe; a model may have parameters of its own."""
-    from groundroll.aircraft import Aircraft
-    from groundroll.errors import GroundrollError
+    from groundroll.aircraft.aircraft import Aircraft
+    from groundroll.base.errors import GroundrollError
 
     plane = Aircraft.load(name)
     own = {} if model is None else _own_parameters(model)
@@ -321,8 +319,8 @@ def loaded(name: str, changes: Changes, model: ModelLike | None = None) -> Aircr
 
 def _own_parameters(model: ModelLike) -> dict[str, str]:
     """Symbols of the parameters that only this model has, by symbol and by full name."""
-    from groundroll.models import as_model
-    from groundroll.names import PARAMETERS
+    from groundroll.model.models import as_model
+    from groundroll.model.names import PARAMETERS
 
     known = as_model(model)
     own = [s for s in known.parameters if s not in PARAMETERS]
@@ -331,7 +329,7 @@ def _own_parameters(model: ModelLike) -> dict[str, str]:
 
 def speed_at(plane: Aircraft, model: ModelLike, values: Mapping[str, Any]) -> float:
     """The forward speed of a result: where it is free, what it is at the start."""
-    from groundroll.models import as_model
+    from groundroll.model.models import as_model
 
     name = as_model(model).roles.get("speed", "u")
     value = values[name] if name in values else plane[name]
@@ -411,7 +409,7 @@ def result(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _form(form: str | None, out: Path | None, keeps: bool) -> str:
-    from groundroll.errors import GroundrollError
+    from groundroll.base.errors import GroundrollError
 
     suffix = out.suffix if out else ""
     if out and not out.parent.is_dir():
@@ -444,8 +442,8 @@ def draw(
     import matplotlib as mpl
     from matplotlib import pyplot
 
-    from groundroll.errors import GroundrollError
-    from groundroll.files import complete
+    from groundroll.base.errors import GroundrollError
+    from groundroll.base.files import complete
 
     from .output import say
 
@@ -471,7 +469,7 @@ def about(plane: Aircraft, **more: Any) -> Mapping[str, Any]:
     """What identifies a result: version, aircraft and settings."""
     from importlib.metadata import version
 
-    from groundroll.validity import extrapolated
+    from groundroll.aircraft.validity import extrapolated
 
     beyond = extrapolated(plane)
     told = {"beyond_the_data": beyond} if beyond else {}

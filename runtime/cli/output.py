@@ -19,11 +19,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.wording import number as number
-from groundroll.wording import visible
+from groundroll.base.wording import number as number
+from groundroll.base.wording import visible
 
 if TYPE_CHECKING:
-    from groundroll.results import Result
+    from groundroll.results.results import Result
 
 FORMATS = ("table", "csv", "json")
 #: Not a format to print but a file with the result itself, of one of these kinds.
@@ -76,7 +76,7 @@ def emit(output: Output, form: str, out: Path | None) -> None:
 
 def show(text: str) -> None:
     """Write to stdout, or say why that cannot be."""
-    from groundroll.errors import GroundrollError
+    from groundroll.base.errors import GroundrollError
 
     if sys.stdout is None:
         raise GroundrollError("cannot write the result: stdout is closed; --out writes a file")
@@ -101,7 +101,7 @@ def _content(output: Output, form: str) -> str:
 
 def write(path: Path, content: str) -> None:
     """Write a text file, or say why not."""
-    from groundroll.files import complete
+    from groundroll.base.files import complete
 
     with complete(path) as draft:
         draft.write_text(content, encoding="utf-8", errors="backslashreplace", newline="")
@@ -188,7 +188,7 @@ def paragraph(text: str, mark: str = "-") -> str:
 
 def shown(value: Any, unit: str) -> tuple[float, str]:
     """A value with its unit as people read it: degrees for radians, nothing for a pure number."""
-    from groundroll.units import from_si
+    from groundroll.base.units import from_si
 
     wanted = unit.replace("rad", "deg")
     factor = 1.0 if wanted == unit else from_si(1.0, unit, wanted)

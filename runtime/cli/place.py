@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.models import ModelLike
+from groundroll.base.bar import bar
+from groundroll.model.models import ModelLike
 
 from . import options
 from .output import Output, emit, hanging
-from .progress import bar
 
 if TYPE_CHECKING:
     from groundroll.placement import Envelope, Limits, Placement
@@ -140,7 +140,7 @@ def _layout(aircraft: Any) -> str:
 
 
 def _known(given: dict[str, Any], kind: Any, option: str) -> None:
-    from groundroll.errors import unknown
+    from groundroll.base.errors import unknown
 
     names = [field.name for field in fields(kind) if field.name != "lift"]
     for name in given:

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.models import ModelLike, as_model
-from groundroll.names import MODELS, QUANTITIES
+from groundroll.base.bar import bar
+from groundroll.model.models import ModelLike, as_model
+from groundroll.model.names import MODELS, QUANTITIES
 
 from . import options
 from .output import Output, emit, number, say, shown, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.metrics import Metrics
-    from groundroll.simulation import Trajectory
+    from groundroll.runs.metrics import Metrics
+    from groundroll.runs.simulation import Trajectory
 
 _STATES = MODELS["nonlinear"].states
 #: Whose metrics are shown.
@@ -109,7 +109,7 @@ def command(
     The table tells the largest and the last value of each quantity, and the metrics of the
     response of v, r, y and theta where the model has them; csv and json hold them over time.
     """
-    from groundroll.simulation import simulate
+    from groundroll.runs.simulation import simulate
 
     aircraft, known = options.loaded(plane, changes, model), as_model(model)
     push = _over_time(disturbance, gust, gust_start, gust_length)
@@ -131,7 +131,7 @@ def _over_time(
     force: float | None, gust: str | None, start: float | None, length: float | None
 ) -> Any:
     """The disturbance as `simulate` takes it."""
-    from groundroll import gusts
+    from groundroll.motion import gusts
 
     if gust is None:
         if start is not None or length is not None:
@@ -144,7 +144,7 @@ def _over_time(
 
 
 def _runway(run: Trajectory) -> Any:
-    from groundroll.runway import runway_view
+    from groundroll.view.runway import runway_view
 
     return runway_view(run).figure
 

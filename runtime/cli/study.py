@@ -6,9 +6,10 @@ from pathlib import Path
 
 import click
 
+from groundroll.base.bar import bar
+
 from .options import example
 from .output import show
-from .progress import bar
 
 
 @click.command(name="study", epilog=example("groundroll study --out study"))

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from groundroll.base.bar import bar
+
 from . import options
 from .output import Output, emit, filled, number, shown, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.aircraft import Aircraft
-    from groundroll.kicks import Survival
+    from groundroll.aircraft.aircraft import Aircraft
+    from groundroll.fates.kicks import Survival
 
 #: Cases along a range that names no number of points, and points along an axis of the picture.
 _POINTS, _PICTURE = 8, 121
@@ -94,7 +95,7 @@ def command(
     the same. The picture is of what becomes of it over speed and impulse; of a range of stations,
     the threshold over them.
     """
-    from groundroll.kicks import survival
+    from groundroll.fates.kicks import survival
 
     aircraft = options.loaded(plane, changes)
     criterion: dict[str, Any] = {**limits, "settled": settled, "t": t, "threads": threads}
@@ -173,8 +174,8 @@ def _data(found: Survival, stations: Any, speeds: Any) -> dict[str, Any]:
 
 def _basin(found: Survival, aircraft: Aircraft, speeds: Any, criterion: dict[str, Any]) -> Any:
     """What becomes of it over speed and impulse, with the threshold of the table."""
-    from groundroll.basins import basin
-    from groundroll.plots import INK
+    from groundroll.fates.basins import basin
+    from groundroll.view.plots import INK
 
     low, high = (1.0, 1.0) if speeds.size > 1 else _SPEEDS
     reach = np.nanmax([found.impulse, np.nan_to_num(found.island)])
@@ -193,7 +194,7 @@ def _over_stations(found: Survival) -> Any:
     """Threshold over the station, a line for each speed."""
     from matplotlib import pyplot
 
-    from groundroll.plots import COLOURS, DASHES, style
+    from groundroll.view.plots import COLOURS, DASHES, style
 
     with style():
         figure, ax = pyplot.subplots(figsize=(5.6, 4.0))

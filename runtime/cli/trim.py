@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from groundroll.models import ModelLike, as_model
+from groundroll.base.bar import bar
+from groundroll.model.models import ModelLike, as_model
 
 from . import options
 from .output import Output, emit, number, shown, table
-from .progress import bar
 
 if TYPE_CHECKING:
-    from groundroll.trimming import Trim
+    from groundroll.linear.trimming import Trim
 
 
 @click.command(
@@ -60,7 +60,7 @@ def command(
     What is not given and not to be found is zero, of a free speed the aircraft's own. That there
     is none is an answer too: the exit code is 0.
     """
-    from groundroll.trimming import trim
+    from groundroll.linear.trimming import trim
 
     given = options.by_name({"speed": speed, "disturbance": disturbance}, states, inputs)
     with bar():

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundroll.arrays import FloatArray
+from groundroll.base.arrays import FloatArray
 
 #: Gains at which a loop is tried between the ends of its gain margin.
 _BETWEEN = 7

@@ -10,8 +10,8 @@ from typing import Any
 
 import jinja2
 
+from groundroll.base.wording import encodable, visible
 from groundroll.generated import Quantity
-from groundroll.wording import encodable, visible
 
 from .equations import Routine, routines
 from .program import C

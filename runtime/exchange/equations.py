@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from groundroll.models import Model
+from groundroll.model.models import Model
 
 from .program import Language, names, read, statements, written
 

@@ -9,10 +9,10 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from groundroll.aircraft import Aircraft
-from groundroll.errors import GroundrollError
-from groundroll.files import as_path, complete
-from groundroll.models import ModelLike
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.errors import GroundrollError
+from groundroll.base.files import as_path, complete
+from groundroll.model.models import ModelLike
 
 from .page_facts import facts
 from .page_functions import functions_text

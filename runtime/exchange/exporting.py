@@ -7,10 +7,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from groundroll.aircraft import Aircraft
-from groundroll.errors import unknown
-from groundroll.files import complete_folder
-from groundroll.models import ModelLike
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.errors import unknown
+from groundroll.base.files import complete_folder
+from groundroll.model.models import ModelLike
 
 from .c_code import c_files
 from .fmu import write_fmu

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from importlib.metadata import version
 from xml.etree import ElementTree as ET
 
-from groundroll.units import exponents, from_si, kind
-from groundroll.wording import encodable, visible
+from groundroll.base.units import exponents, from_si, kind
+from groundroll.base.wording import encodable, visible
 
 from .fmi_variables import Variable
 from .subject import Subject

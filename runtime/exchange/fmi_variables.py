@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from groundroll.base.units import UnitError, from_si, parts
 from groundroll.generated import Quantity
-from groundroll.units import UnitError, from_si, parts
 
 from .subject import Subject
 

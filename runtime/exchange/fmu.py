@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from groundroll.errors import GroundrollError
-from groundroll.files import complete
+from groundroll.base.errors import GroundrollError
+from groundroll.base.files import complete
 from groundroll.generated.compiler import NoCompilerError, compiler, make
 
 from .c_code import c_facts, rendered

@@ -10,11 +10,11 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from groundroll.arrays import FloatArray
-from groundroll.errors import GroundrollError
-from groundroll.evaluate import columns
-from groundroll.files import complete
-from groundroll.wording import encodable, visible
+from groundroll.base.arrays import FloatArray
+from groundroll.base.errors import GroundrollError
+from groundroll.base.files import complete
+from groundroll.base.wording import encodable, visible
+from groundroll.model.evaluate import columns
 
 from .jsbsim_functions import FOOT, INPUTS, SLUG, aerodynamics
 from .subject import Subject

@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 
 import casadi as ca
 
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 
 from .program import Operation, Program, Value, read
 from .subject import Subject

@@ -9,18 +9,18 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from groundroll.arrays import physical_of
-from groundroll.consistency import DETERMINED
-from groundroll.fates import Criterion
+from groundroll.aircraft.consistency import DETERMINED
+from groundroll.aircraft.template import section_of
+from groundroll.base.arrays import physical_of
+from groundroll.base.units import UnitError, from_si, parts, to_si
+from groundroll.base.wording import encodable, visible
+from groundroll.fates.fates import Criterion
 from groundroll.generated import Quantity
-from groundroll.models import Model
+from groundroll.model.models import Model
+from groundroll.model.names import PARAMETERS
 from groundroll.motion.rest import CREEP, SUNK, lifts
-from groundroll.names import PARAMETERS
-from groundroll.silhouette import AIRFRAME
-from groundroll.template import section_of
-from groundroll.tire_size import friction_on, surfaces
-from groundroll.units import UnitError, from_si, parts, to_si
-from groundroll.wording import encodable, visible
+from groundroll.tires.size import friction_on, surfaces
+from groundroll.view.silhouette import AIRFRAME
 
 from .page_functions import following
 from .subject import Subject

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 
 import casadi as ca
 
-from groundroll.aircraft import ways
+from groundroll.aircraft.aircraft import ways
 from groundroll.generated import PACKS, build
-from groundroll.models import Model
-from groundroll.names import PARAMETERS
+from groundroll.model.models import Model
+from groundroll.model.names import PARAMETERS
 
 from .equations import Routine, routine, routines
 from .program import JAVASCRIPT, names, read, statements, written

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import casadi as ca
 
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 
 #: A number, the text by which an argument is read, or the index of an operation.
 Value = float | str | int

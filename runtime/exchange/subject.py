@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from typing import Any
 
-from groundroll.aircraft import Aircraft
-from groundroll.arrays import FloatArray
-from groundroll.errors import GroundrollError
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.aircraft.parameters import parameters_of
+from groundroll.aircraft.values import given
+from groundroll.base.arrays import FloatArray
+from groundroll.base.errors import GroundrollError
 from groundroll.generated import Quantity
-from groundroll.models import Model, ModelLike, as_model
+from groundroll.model.models import Model, ModelLike, as_model
 from groundroll.motion.rest import start_of
-from groundroll.parameters import parameters_of
-from groundroll.values import given
 
 
 @dataclass(frozen=True)

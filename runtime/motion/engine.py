@@ -5,11 +5,11 @@ from __future__ import annotations
 from concurrent.futures import Executor
 from functools import partial
 
-from groundroll.chunks import cut, run, thread_count
-from groundroll.memory import check_memory
-from groundroll.progress import Progress, counted
+from groundroll.base.memory import check_memory
+from groundroll.base.progress import Progress, counted
 
 from . import lanes
+from .chunks import cut, run, thread_count
 from .lanes import Outcome, Task
 from .plan import Plan
 from .virtual import integrate_in_vm

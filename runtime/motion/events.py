@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundroll.arrays import positive
-from groundroll.errors import GroundrollError, unknown
-from groundroll.models import Model
-from groundroll.names import listed
+from groundroll.base.arrays import positive
+from groundroll.base.errors import GroundrollError, unknown
+from groundroll.model.models import Model
+from groundroll.model.names import listed
 
 from .lanes import WATCHES, Watch
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from groundroll.arrays import FloatArray
-from groundroll.errors import GroundrollError
-from groundroll.memory import check_memory
+from groundroll.base.arrays import FloatArray
+from groundroll.base.errors import GroundrollError
+from groundroll.base.memory import check_memory
 
 from .lanes import TERMS
 

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from groundroll.arrays import FloatArray
-from groundroll.errors import unknown
+from groundroll.base.arrays import FloatArray
+from groundroll.base.errors import unknown
 from groundroll.generated import Pack
 from groundroll.generated.compiler import NoCompilerError
 from groundroll.generated.kernels import load, useful_threads

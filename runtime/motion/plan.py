@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft
-from groundroll.arrays import FloatArray, common_shape, finite, positive
-from groundroll.chunks import piece
-from groundroll.errors import GroundrollError
-from groundroll.models import Model
-from groundroll.parameters import parameters_of
-from groundroll.values import Given
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.aircraft.parameters import parameters_of
+from groundroll.aircraft.values import Given
+from groundroll.base.arrays import FloatArray, common_shape, finite, positive
+from groundroll.base.errors import GroundrollError
+from groundroll.model.models import Model
 
+from .chunks import piece
 from .lanes import Outcome, Task, Watch
 from .rest import start_of
 from .signals import Polynomials, as_signal

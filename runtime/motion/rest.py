@@ -6,14 +6,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft
-from groundroll.arrays import FloatArray, broadcast
-from groundroll.errors import GroundrollError
-from groundroll.evaluate import columns
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.aircraft.parameters import parameters_of
+from groundroll.base.arrays import FloatArray, broadcast
+from groundroll.base.errors import GroundrollError
 from groundroll.generated.packs import Event
-from groundroll.models import Model
-from groundroll.names import PARAMETERS
-from groundroll.parameters import parameters_of
+from groundroll.model.evaluate import columns
+from groundroll.model.models import Model
+from groundroll.model.names import PARAMETERS
 
 #: Events of wheels end in the name of the wheel; their outputs are depths below the runway, m.
 _LIFTED = "wheel_lifted_"

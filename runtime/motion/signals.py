@@ -22,9 +22,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from groundroll.arrays import FloatArray, finite, single
-from groundroll.errors import GroundrollError
-from groundroll.units import parts, to_si
+from groundroll.base.arrays import FloatArray, finite, single
+from groundroll.base.errors import GroundrollError
+from groundroll.base.units import parts, to_si
 
 from .fitting import fit
 from .lanes import Pieces

@@ -13,7 +13,7 @@ from itertools import pairwise
 import casadi as ca
 import numpy as np
 
-from groundroll.arrays import FloatArray
+from groundroll.base.arrays import FloatArray
 
 from .lanes import STATUS, Outcome, Task, Watch
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundroll.arrays import FloatArray
+from groundroll.base.arrays import FloatArray
 
 from .case import DESIGN, Case
 from .limits import Bound

@@ -11,9 +11,9 @@ import casadi as ca
 import numpy as np
 
 from groundroll import generated
-from groundroll.aircraft import Aircraft
-from groundroll.arrays import FloatArray, broadcast
-from groundroll.models import ModelLike
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.arrays import FloatArray, broadcast
+from groundroll.model.models import ModelLike
 
 from .envelope import AXES, Axis
 from .limits import Bound

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 
 from .assess import assess
 from .limits import Bound, shown
@@ -136,3 +136,18 @@ def _message(
                 words = "at least" if side == "low" else "at most"
                 lines.append(f"  and {v.name} is {words} {value:g}, where it stands")
     return "\n".join(lines)
+
+
+def solve(problem: Problem, starts: list[dict[str, float]] | None = None) -> Found:
+    """The best design over the envelope.
+
+    Raises
+    ------
+    InfeasibleError
+        If there is none.
+    """
+    found = exchange(problem, starts or begin(problem.case))
+    if not found.solution.ok:
+        # what is infeasible over some corners is so over all
+        raise infeasible(problem)
+    return found

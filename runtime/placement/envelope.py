@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft
-from groundroll.arrays import FloatArray, in_si, physical
-from groundroll.errors import GroundrollError
-from groundroll.names import QUANTITIES
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.arrays import FloatArray, in_si
+from groundroll.base.errors import GroundrollError
+from groundroll.model.names import QUANTITIES, physical
 
 #: Field of an envelope -> symbol.
 AXES = {

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundroll.arrays import FloatArray
-from groundroll.plots import COLOURS, DASHES, INK, MUTED, plain, style
+from groundroll.base.arrays import FloatArray
+from groundroll.view.plots import COLOURS, DASHES, INK, MUTED, plain, style
 
 from .case import Case
 from .envelope import corners, grid
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from groundroll.simulation import Trajectory
+    from groundroll.runs.simulation import Trajectory
 
     from .pareto import Front
     from .result import Placement

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from groundroll.errors import GroundrollError, one_of
+from groundroll.base.errors import GroundrollError, one_of
 
 from .envelope import numbers
 

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundroll.arrays import FloatArray
-from groundroll.errors import GroundrollError, one_of
-from groundroll.listing import Pictured
-from groundroll.progress import Count, Progress, counted
+from groundroll.base.arrays import FloatArray
+from groundroll.base.errors import GroundrollError, one_of
+from groundroll.base.listing import Pictured
+from groundroll.base.progress import Count, Progress, counted
 
 from .assess import assess, worst_displacement
 from .case import Case
+from .conflict import solve
 from .limits import KINDS, SHOWN, Bound
-from .place import solve
 from .problem import Problem
 from .search import exchange
 from .starts import begin

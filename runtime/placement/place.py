@@ -8,23 +8,22 @@ from typing import Any
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft, of_aircraft
-from groundroll.errors import GroundrollError, of_kind
-from groundroll.models import ModelLike
-from groundroll.progress import Progress, counted
-from groundroll.validity import extrapolated
+from groundroll.aircraft.aircraft import Aircraft, of_aircraft
+from groundroll.aircraft.validity import extrapolated
+from groundroll.base.errors import GroundrollError, of_kind
+from groundroll.base.progress import Progress, counted
+from groundroll.model.models import ModelLike
 
 from .assess import Assessment, assess, here
 from .case import Case
-from .conflict import infeasible
+from .conflict import solve
 from .envelope import Envelope, corners
 from .limits import LOAD, Bound, Limits
 from .prices import binding, describe, prices
 from .problem import Problem
 from .resolve import resolve
 from .result import Placement
-from .search import Found, exchange
-from .starts import begin
+from .search import Found
 
 #: An eigenvalue below this share of the other is none: A is singular to rounding.
 _SINGULAR = 1e-9
@@ -136,21 +135,6 @@ def place(problem: Problem) -> Placement:
         rounds=found.rounds,
     )
     return replace(result, notes=tuple(_notes(result)))
-
-
-def solve(problem: Problem, starts: list[dict[str, float]] | None = None) -> Found:
-    """The best design over the envelope.
-
-    Raises
-    ------
-    InfeasibleError
-        If there is none.
-    """
-    found = exchange(problem, starts or begin(problem.case))
-    if not found.solution.ok:
-        # what is infeasible over some corners is so over all
-        raise infeasible(problem)
-    return found
 
 
 def _refuse_impossible_tires(case: Case, design: Mapping[str, float]) -> None:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundroll.arrays import FloatArray
-from groundroll.names import QUANTITIES
+from groundroll.base.arrays import FloatArray
+from groundroll.model.names import QUANTITIES
 
 from .case import DESIGN, Case
 from .envelope import AXES

@@ -10,9 +10,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from groundroll.arrays import FloatArray
-from groundroll.integration import integrator
-from groundroll.models import as_model
+from groundroll.base.arrays import FloatArray
+from groundroll.model.integration import integrator
+from groundroll.model.models import as_model
 
 from .case import DESIGN, Case, split, symbolic, vector
 from .envelope import AXES

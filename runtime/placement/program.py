@@ -10,8 +10,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from groundroll.arrays import FloatArray
-from groundroll.evaluate import solved
+from groundroll.base.arrays import FloatArray
+from groundroll.model.evaluate import solved
 
 from .case import DESIGN, vector
 from .problem import CORNER, Problem

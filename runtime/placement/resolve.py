@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from groundroll import generated
-from groundroll.aircraft import Aircraft
-from groundroll.arrays import finite, positive
-from groundroll.errors import GroundrollError, one_of
-from groundroll.models import ModelLike, as_model
-from groundroll.names import QUANTITIES
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.arrays import finite, positive
+from groundroll.base.errors import GroundrollError, one_of
+from groundroll.model.models import ModelLike, as_model
+from groundroll.model.names import QUANTITIES
 
 from .case import THIRD, VARIABLES, Case, Variable
 from .envelope import Axis, Envelope, numbers

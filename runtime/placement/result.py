@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft
-from groundroll.consistency import as_written
-from groundroll.listing import Pictured
-from groundroll.names import QUANTITIES
-from groundroll.progress import Progress
-from groundroll.simulation import Trajectory, simulate
-from groundroll.units import from_si
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.aircraft.consistency import as_written
+from groundroll.base.listing import Pictured
+from groundroll.base.progress import Progress
+from groundroll.base.units import from_si
+from groundroll.model.names import QUANTITIES
+from groundroll.runs.simulation import Trajectory, simulate
 
 from .assess import Assessment, Standing, Worst
 from .case import VARIABLES, Case

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundroll.arrays import FloatArray
-from groundroll.errors import GroundrollError
+from groundroll.base.arrays import FloatArray
+from groundroll.base.errors import GroundrollError
 
 from .envelope import Axis, corners, grid, product
 from .problem import Problem

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft
-from groundroll.names import PARAMETERS
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.model.names import PARAMETERS
 
 from .assess import Assessment, assess
 from .conflict import InfeasibleError

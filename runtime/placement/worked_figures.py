@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundroll.plots import COLOURS, DASHES, INK, MUTED, style
+from groundroll.view.plots import COLOURS, DASHES, INK, MUTED, style
 
 from .envelope import grid
 

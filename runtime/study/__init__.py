@@ -13,7 +13,7 @@ import json
 from dataclasses import dataclass
 from pathlib import Path
 
-from groundroll.progress import Progress, counted
+from groundroll.base.progress import Progress, counted
 
 __all__ = ["Summary", "run"]
 

@@ -8,16 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundroll.aircraft import Aircraft
-from groundroll.linearization import Linearization, linearize
-from groundroll.metrics import Metrics
-from groundroll.simulation import Trajectory, simulate
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.errors import one_of
+from groundroll.linear.linearization import Linearization, linearize
+from groundroll.runs.metrics import Metrics
+from groundroll.runs.simulation import Trajectory, simulate
 
 from .sources import Trial, setup, trials
 from .thesis_tire import Table, ThesisFit, table_3_1, thesis_fit
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+    from groundroll.stability.maps import StabilityMap
 
 #: Newtons in a pound-force, exactly.
 POUND = 4.4482216152605
@@ -103,3 +106,18 @@ def tire_fit_in_pounds() -> ThesisFit:
     table = table_3_1()
     loads, forces = np.round(table.loads / POUND, -2), np.round(table.forces / POUND)
     return thesis_fit(Table(table.slip_angles, loads * POUND, forces * POUND))
+
+
+def trials_on(chart: StabilityMap, *numbers: int) -> dict[str, Aircraft]:
+    """The thesis's trials as marks for a map: those that are points of it, or some by number.
+
+    Raises
+    ------
+    GroundrollError
+        For a trial that the thesis does not have.
+    """
+    every = {f"Trial {number}": case(number, "linear").plane for number in trials()}
+    if not numbers:
+        return {label: plane for label, plane in every.items() if chart.fits(plane)}
+    labels = (one_of("trial", f"Trial {number}", every) for number in numbers)
+    return {label: every[label] for label in labels}

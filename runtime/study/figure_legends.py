@@ -13,7 +13,7 @@ from .sources import figure_words, trials
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from groundroll.arrays import FloatArray
+    from groundroll.base.arrays import FloatArray
 
 _ONE_ROW = 60  # letters of a legend, a line sample counted as six
 

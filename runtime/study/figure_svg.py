@@ -9,7 +9,7 @@ from xml.sax.saxutils import escape
 
 from matplotlib.figure import Figure
 
-from groundroll.plots import style
+from groundroll.view.plots import style
 
 
 def as_svg(figure: Figure, number: str, name: str) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from groundroll.plots import COLOURS, DASHES, MUTED, style
+from groundroll.view.plots import COLOURS, DASHES, MUTED, style
 
 from .cases import case
 from .figure_svg import as_svg

@@ -11,9 +11,9 @@ from functools import partial
 from itertools import permutations
 from typing import Any
 
-from groundroll.aircraft import Aircraft
-from groundroll.names import QUANTITIES
-from groundroll.units import from_si
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.units import from_si
+from groundroll.model.names import QUANTITIES
 
 from .cases import Case, case, tire_fit, tire_fit_in_pounds
 from .sources import Column, Coverage, Table, Tolerance, errata, setup, tables

@@ -9,10 +9,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundroll.linearization import linearize
-from groundroll.names import QUANTITIES
-from groundroll.plots import COLOURS, DASHES, INK, MUTED
-from groundroll.units import from_si
+from groundroll.base.units import from_si
+from groundroll.linear.linearization import linearize
+from groundroll.model.names import QUANTITIES
+from groundroll.view.plots import COLOURS, DASHES, INK, MUTED
 
 from .cases import case
 from .figure_legends import place_legend, sorted_pair, trial_label

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from __future__ import annotations
 import platform
 from importlib.metadata import version
 
-from groundroll.names import DIGEST
+from groundroll.model.names import DIGEST
 
 from .sources import digest, setup
 

@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundroll.plots import COLOURS, DASHES, MUTED
-from groundroll.shown import Units
+from groundroll.model.shown import Units
+from groundroll.view.plots import COLOURS, DASHES, MUTED
 
 from .cases import Case, case
 from .figure_legends import place_legend, sorted_pair, trial_label
@@ -19,9 +19,9 @@ from .sources import FigureSpec, figure_words, setup
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from groundroll.arrays import FloatArray
+    from groundroll.base.arrays import FloatArray
 from groundroll.generated import Quantity
-from groundroll.models import as_model
+from groundroll.model.models import as_model
 
 #: How a model is drawn where both are: the non-linear as a band, the linear as dashes upon it.
 _OVERLAY: Mapping[str, Mapping[str, Any]] = {

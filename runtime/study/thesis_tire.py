@@ -10,11 +10,11 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from groundroll.arrays import FloatArray, finite
-from groundroll.errors import GroundrollError
-from groundroll.evaluate import elementwise, solved
+from groundroll.base.arrays import FloatArray, finite
+from groundroll.base.errors import GroundrollError
 from groundroll.generated import build
-from groundroll.tire_data import TireData
+from groundroll.model.evaluate import elementwise, solved
+from groundroll.tires.data import TireData
 
 #: Symbols of the magic formula.
 MAGIC = ("B1", "C1", "D1", "E1")

@@ -9,12 +9,12 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from groundroll.aircraft import Aircraft
-from groundroll.evaluate import elementwise
-from groundroll.names import QUANTITIES
-from groundroll.plots import COLOURS, DASHES, INK
-from groundroll.shown import Units
-from groundroll.units import from_si, to_si
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.base.units import from_si, to_si
+from groundroll.model.evaluate import elementwise
+from groundroll.model.names import QUANTITIES
+from groundroll.model.shown import Units
+from groundroll.view.plots import COLOURS, DASHES, INK
 
 from .cases import case, tire_fit
 from .figure_legends import place_legend
@@ -23,7 +23,7 @@ from .sources import FigureSpec, figure_words, setup, tables
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from groundroll.arrays import FloatArray
+    from groundroll.base.arrays import FloatArray
 
 
 def _parameter_sets(names: Sequence[str]) -> dict[str, Mapping[str, Any]]:

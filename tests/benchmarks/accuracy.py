@@ -18,7 +18,7 @@ import numpy as np
 
 import groundroll as gr
 from groundroll.ensemble_plan import plan
-from groundroll.models import as_model
+from groundroll.model.models import as_model
 from groundroll.motion import lanes
 
 COUNT, TIMES, REFERENCE = 50_000, 101, 1e-13
@@ -153,7 +153,7 @@ def picture(rows: list[Row], path: Path) -> None:
     mpl.use("Agg")
     from matplotlib import pyplot
 
-    from groundroll.plots import INK, style
+    from groundroll.view.plots import INK, style
 
     share = np.geomspace(1.0 / COUNT, 1.0, 300)
     with style():

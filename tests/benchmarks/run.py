@@ -183,7 +183,7 @@ def picture(rows: list[Row], path: Path) -> None:
     mpl.use("Agg")
     from matplotlib import pyplot
 
-    from groundroll.plots import COLOURS, INK, style
+    from groundroll.view.plots import COLOURS, INK, style
 
     jobs = [(job, target) for job in ("E10000", "S") for target in (1e-6, 1e-9)]
     with style():

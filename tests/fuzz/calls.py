@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import groundroll as gr
-from groundroll.names import MODELS, PARAMETERS
+from groundroll.model.names import MODELS, PARAMETERS
 
 from . import judges, mutation
 from .harness import Case

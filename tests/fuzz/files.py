@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 
 import groundroll as gr
-from groundroll.aircraft import packaged
-from groundroll.aircraft_file import packaged_files
-from groundroll.names import MODELS, PARAMETERS
+from groundroll.aircraft.aircraft import packaged
+from groundroll.aircraft.file import packaged_files
+from groundroll.model.names import MODELS, PARAMETERS
+from groundroll.tires.data import packaged_tables
 
 from . import mutation, truth
 from .harness import Case
@@ -141,7 +142,7 @@ def _table(rng: np.random.Generator, folder: Path) -> Case:
 
 @cache
 def _packaged_table() -> str:
-    return packaged_files(".csv")["goodyear-6.00-6"].read_text(encoding="utf-8")
+    return packaged_tables()["goodyear-6.00-6"].read_text(encoding="utf-8")
 
 
 def _drawn_table(rng: np.random.Generator) -> str:

@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 from groundroll.generated import library
-from groundroll.names import MODELS as _MODELS
+from groundroll.model.names import MODELS as _MODELS
 
 #: Seconds that an input may take.
 LIMIT = 10.0

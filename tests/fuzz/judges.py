@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 import groundroll as gr
-from groundroll.models import Model, as_model
-from groundroll.parameters import parameters_of
+from groundroll.aircraft.parameters import parameters_of
+from groundroll.model.models import Model, as_model
 
 Array = np.ndarray[Any, Any]
 #: Steps that are tried within an interval, until twice as many change nothing.

@@ -16,7 +16,7 @@ import numpy as np
 
 import groundroll as gr
 from groundroll import cli
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 
 from . import judges, mutation, truth
 from .harness import Case

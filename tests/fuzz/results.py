@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import groundroll as gr
-from groundroll.errors import GroundrollError
+from groundroll.base.errors import GroundrollError
 
 from . import mutation
 from .harness import Case

@@ -1,0 +1,1 @@
+"""What becomes of an aircraft that was pushed: survival and basins."""

@@ -1,0 +1,1 @@
+"""Equilibria and small motions about them: points, linear models, trim, responses."""

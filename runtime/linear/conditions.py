@@ -1,0 +1,137 @@
+"""What an equilibrium of a model needs: which rates vanish, and what is open to make them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from groundroll.aircraft.aircraft import Aircraft
+from groundroll.aircraft.values import Given
+from groundroll.base.arrays import FloatArray, finite
+from groundroll.base.errors import GroundrollError
+from groundroll.model.models import Model
+from groundroll.model.names import listed
+
+from .equilibria import Question
+from .points import Points
+
+#: Where it is seen on what a model depends: so far, in SI, around where the search begins.
+_PLACES, _AROUND = 5, 0.03
+
+
+def sought(model: Model, found: Given, names: Iterable[str]) -> tuple[str, ...]:
+    """Symbols of the inputs to be found.
+
+    Raises
+    ------
+    GroundrollError
+        If one is no input, is named twice, or is given as well.
+    """
+    inputs = [
+        model.symbol(s, "input", model.inputs, "solve_for") for s in listed("solve_for", names)
+    ]
+    for s in inputs:
+        if s in found.inputs or inputs.count(s) > 1:
+            why = "given as well" if s in found.inputs else "named twice"
+            raise GroundrollError(f"{model.quantities[s].name} ({s}) is to be found, but {why}")
+    return tuple(inputs)
+
+
+def ranges_of(model: Model, within: Mapping[str, Any] | None) -> dict[str, tuple[float, float]]:
+    """Ranges of unknowns by symbol, SI."""
+    found = dict(model.ranges)
+    allowed = (*model.dynamic, *model.inputs)
+    for name, pair in (within or {}).items():
+        s = model.symbol(name, "state or input", allowed, "within")
+        try:
+            low, high = (
+                float(finite(f"within[{name!r}]", x, model.quantities[s].unit)) for x in pair
+            )
+        except (TypeError, ValueError):
+            raise GroundrollError(f"within[{name!r}] must be a pair, from and to") from None
+        if not low < high:
+            raise GroundrollError(f"within[{name!r}] must be from a smaller to a larger value")
+        least, most = found.get(s, (-math.inf, math.inf))
+        found[s] = max(low, least), min(high, most)
+    return found
+
+
+def named(plane: Aircraft, found: Given) -> dict[str, FloatArray]:
+    """What a call gave: states, inputs, and parameters that it changed, by symbol."""
+    given = found.aircraft.given
+    changed = {s: x for s, x in given.items() if plane.given.get(s) is not x}
+    own = {s: x for s, x in found.aircraft.own.items() if plane.own.get(s) is not x}
+    return {**found.states, **found.inputs, **changed, **own}
+
+
+def question_of(
+    points: Points,
+    found: Given,
+    inputs: tuple[str, ...],
+    ranges: Mapping[str, tuple[float, float]],
+) -> tuple[Question, tuple[str, ...], tuple[str, ...]]:
+    """The question, and the states that are held by something else, and those that do not matter.
+
+    Raises
+    ------
+    GroundrollError
+        If there are more or fewer unknowns than conditions; the message names both.
+    """
+    model = points.model
+    speed, offset = model.roles.get("speed"), model.roles.get("offset")
+    fixed = {*found.states, *([speed] if speed in model.dynamic else [])}
+    idle = tuple(s for s in _idle(points) if s not in found.states)
+    vanish = [s for s in model.dynamic if s not in idle]
+    unknown = [s for s in vanish if s not in fixed] + list(inputs)
+    heading = model.roles.get("heading")
+    if heading in unknown and offset in model.states and len(vanish) <= len(unknown):
+        vanish.append(offset)  # along the runway
+    elif heading in idle and len(unknown) == len(vanish) + 1:
+        vanish.append(heading)  # straight ahead
+    held: tuple[str, ...] = ()
+    if len(unknown) == len(vanish) - 1 and speed in vanish and speed in fixed:
+        held = (speed,)
+        vanish.remove(speed)
+    if len(unknown) != len(vanish):
+        raise GroundrollError(_counted(model, unknown, vanish, fixed))
+    if heading in unknown and offset not in vanish:
+        ranges = {heading: (-math.pi, math.pi), **ranges}  # it may end up anywhere in the wind
+    return Question(points, tuple(unknown), tuple(vanish), ranges), held, idle
+
+
+def _idle(points: Points) -> list[str]:
+    """Dynamic states on which nothing depends here, as on a heading without wind."""
+    model = points.model
+    rng = np.random.default_rng(1)
+    cases = np.arange(max(points.count, _PLACES)) % points.count
+    values = {s: np.asarray(x[cases] if x.size > 1 else x[0]) for s, x in _columns(points).items()}
+    for s in model.dynamic:
+        values[s] = values[s] + rng.uniform(-_AROUND, _AROUND, len(cases))
+    slopes = Points(model, points.aircraft, values, (len(cases),)).evaluate("fx")["fx"]
+    return [s for k, s in enumerate(model.dynamic) if not slopes[:, :, k].any()]
+
+
+def _columns(points: Points) -> dict[str, FloatArray]:
+    return dict(zip(points.values, points.columns, strict=True))
+
+
+def _counted(model: Model, unknown: list[str], vanish: list[str], fixed: set[str]) -> str:
+    """The message where unknowns and conditions are not as many."""
+
+    def names(symbols: Iterable[str]) -> str:
+        return ", ".join(model.quantities[s].name for s in symbols) or "nothing"
+
+    few = len(unknown) < len(vanish)
+    given = [s for s in model.dynamic if s in fixed]
+    free = [s for s in model.inputs if s not in unknown]
+    more = f"name inputs in solve_for ({names(free)})"
+    if given:
+        more += f", or give fewer states ({names(given)} given)"
+    way = more if few else "give states a value, or name fewer inputs in solve_for"
+    return (
+        f"the rates of {names(vanish)} are to vanish, which are {len(vanish)} conditions, but"
+        f" {len(unknown)} quantities are open ({names(unknown)}): {way}"
+    )

@@ -1,0 +1,1 @@
+"""A model as data: its pack, the names in it, its functions applied to arrays."""

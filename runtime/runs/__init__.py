@@ -1,0 +1,1 @@
+"""What users ask of the motion: runs, ensembles, solvers, metrics."""

@@ -1,0 +1,1 @@
+"""Closed forms over arrays: margins, sweeps, maps, and what `check` says."""
