@@ -124,6 +124,16 @@ class Body:
     speed: Literal["free", "held"] = "free"
     stands: Literal["on legs", "level"] = "on legs"
 
+    def __post_init__(self) -> None:
+        for what, value, allowed in (
+            ("speed", self.speed, ("free", "held")),
+            ("stands", self.stands, ("on legs", "level")),
+        ):
+            if value not in allowed:
+                raise ValueError(
+                    f"Body: {what} is {value!r}; it is one of {allowed[0]!r} and {allowed[1]!r}"
+                )
+
     @property
     def is_level(self) -> bool:
         """Whether the body neither heaves nor pitches nor rolls."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import keyword
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -253,6 +253,9 @@ def _in_order(found: Sequence[Quantity], order: Sequence[Quantity]) -> tuple[Qua
 def _check_names(model: Model, parts: Sequence[Part]) -> None:
     if not model.name.isidentifier() or keyword.iskeyword(model.name):
         raise ModelError(f"{model.name!r} cannot name a model: letters, digits and _ only")
+    for part in parts:
+        if not isinstance(part, Part):
+            raise ModelError(f"{model.name}: {part!r} stands among its parts and is no Part")
     twice = [name for name, count in Counter(part.name for part in parts).items() if count > 1]
     if twice:
         raise ModelError(
@@ -273,13 +276,17 @@ def _check_free(model: Model, free: Sequence[Quantity], rates: Iterable[Quantity
     states = set(rates)
     for quantity in free:
         if getattr(quantity, "kind", "") == "state" and quantity not in states:
-            raise ModelError(f"{model.name}: the state {quantity} has no rate")
+            raise ModelError(
+                f"{model.name}: the state {quantity} has no rate; the law of the part that it"
+                f" belongs to gives it: Force(..., rates={{{quantity}: ...}})"
+            )
         if not getattr(quantity, "kind", ""):
             raise ModelError(
                 f"{model.name}: {quantity} is neither state, input nor parameter, and no equation"
                 " defines it"
             )
     named: dict[str, Quantity] = {}
+    words: dict[str, set[str]] = defaultdict(set)
     for quantity in (*states, *free):
         known = named.setdefault(quantity.name, quantity)
         if known != quantity:
@@ -293,7 +300,16 @@ def _check_free(model: Model, free: Sequence[Quantity], rates: Iterable[Quantity
                 )
                 if one != other
             )
-            raise ModelError(f"{model.name}: {quantity} has two {difference}")
+            raise ModelError(
+                f"{model.name}: {quantity} has two {difference}; give one of them another symbol,"
+                " or define it once and use it twice"
+            )
+        words[quantity.full_name].add(quantity.name)
+        if len(same := words[quantity.full_name]) > 1:
+            raise ModelError(
+                f"{model.name}: {' and '.join(sorted(same))} have the same name"
+                f" {quantity.full_name!r}; values are given by name, so each needs its own"
+            )
         if not quantity.name.isidentifier() or keyword.iskeyword(quantity.name):
             raise ModelError(f"{model.name}: {quantity.name!r} cannot be a symbol in code")
         for word in (quantity.name, quantity.full_name):

@@ -150,6 +150,13 @@ class Part:
     def __post_init__(self) -> None:
         if not self.name.isidentifier():
             raise ValueError(f"{self.name!r} cannot name a part: letters, digits and _ only")
+        if not isinstance(self.asks, tuple):
+            raise ValueError(f"{self.name}: asks is a tuple, as in asks=({self.asks},)")
+        if not callable(self.law):
+            raise ValueError(
+                f"{self.name}: its law is {self.law!r}; expected a function of what is felt"
+            )
+        _check_vector(self.at, f"the place of {self.name}", "1.2 m ahead as arm * i")
         for axis, length in zip("xyz", components(self.at), strict=True):
             check_unit(length, "m", f"position of {self.name} along {axis}")
 
@@ -157,6 +164,8 @@ class Part:
         """What the part does, under names of its own."""
         suffix = self.name if self.suffix is None else self.suffix
         force = self.law(felt)
+        if not isinstance(force, Force):
+            raise ValueError(f"the law of {self.name} returns {force!r}; it is to return a Force")
         self._check(force)
         own = [e.lhs for e in force.chain if not is_given(e.lhs)] + list(force.rates)
         names = {q: q.of(suffix) for q in (*own, felt.load)}
@@ -180,6 +189,7 @@ class Part:
     def _check(self, force: Force) -> None:
         expressions = [e.rhs for e in force.chain] + list(map(sp.sympify, force.rates.values()))
         for vector, unit, what in ((force.vector, "N", "force"), (force.couple, "N m", "couple")):
+            _check_vector(vector, f"the {what} of {self.name}", "a force F to the right as F * j")
             column = components(vector)
             expressions += list(column)
             for axis, part in zip("xyz", column, strict=True):
@@ -188,6 +198,14 @@ class Part:
             if state.kind != "state":
                 raise ValueError(f"{self.name}: {state} has a rate but is no State")
             check_unit(sp.sympify(rate), f"({state.unit})/s", f"rate of {state} of {self.name}")
+
+
+def _check_vector(vector: object, what: str, example: str) -> None:
+    if not isinstance(vector, Vector):
+        raise ValueError(
+            f"{what} is {vector}; expected a vector along i, j and k: write {example}, nothing as"
+            " 0 * i"
+        )
 
 
 def is_given(quantity: sp.Symbol) -> bool:

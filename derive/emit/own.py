@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 
@@ -38,17 +40,16 @@ def derive_file(path: Path, out: Path, name: str = "") -> Pack:
         raise ModelError(f"{out} is a file; a pack is a folder")
     if out.is_dir() and any(out.iterdir()) and not (out / "facts.json").is_file():
         raise ModelError(f"{out} holds other things than a pack; give an empty folder or a new one")
-    pack = own_pack(model)
-    write(out, pack_files(pack))
+    with _teaching(path):
+        pack = own_pack(model)
+        files = pack_files(pack)
+    write(out, files)
     return pack
 
 
 def own_pack(model: Model) -> Pack:
     """The pack of a model that does not ship."""
-    try:
-        return Pack(model.name, model.summary, model=model.derive())
-    except (ValueError, NotImplementedError) as problem:
-        raise ModelError(str(problem)) from problem
+    return Pack(model.name, model.summary, model=model.derive())
 
 
 def find_model(path: Path, name: str = "") -> Model:
@@ -77,13 +78,20 @@ def _run(path: Path) -> ModuleType:
     if spec is None or spec.loader is None:
         raise ModelError(f"{path} is no Python file; its name must end in .py")
     module = importlib.util.module_from_spec(spec)
-    try:
+    with _teaching(path):
         spec.loader.exec_module(module)
-    except Exception as problem:
-        lines = [f for f in traceback.extract_tb(problem.__traceback__) if f.filename == str(path)]
-        line = getattr(problem, "lineno", None) or (lines[-1].lineno if lines else "?")
-        what = (
-            problem if isinstance(problem, ValueError) else f"{type(problem).__name__}: {problem}"
-        )
-        raise ModelError(f"{path}, line {line}: {what}") from problem
     return module
+
+
+@contextmanager
+def _teaching(path: Path) -> Iterator[None]:
+    """Errors, as far as a file has caused them, with the line of it where they begin."""
+    try:
+        yield
+    except (Exception, SystemExit) as problem:
+        lines = [f for f in traceback.extract_tb(problem.__traceback__) if f.filename == str(path)]
+        line = getattr(problem, "lineno", None) or (lines[-1].lineno if lines else None)
+        is_told = isinstance(problem, ValueError | NotImplementedError)
+        what = f"{problem}" if is_told else f"{type(problem).__name__}: {problem}"
+        where = f"{path}, line {line}" if line else f"{path}"
+        raise ModelError(f"{where}: {what}") from problem

@@ -139,8 +139,13 @@ def _found(name: str) -> Pack:
         return read_pack(announced[name])
     if os.path.isdir(name):
         return read_pack(Path(name).resolve())
-    there = [n for n, pack in PACKS.items() if pack.states]
-    raise unknown("model", name, [*there, *announced])
+    there = [*(n for n, pack in PACKS.items() if pack.states), *announced]
+    if os.path.basename(name) != name:
+        raise GroundrollError(
+            f"there is no folder {name}; `groundroll derive model.py --out {name}` makes a model of"
+            f" your own there, and without a folder there is {', '.join(there)}"
+        )
+    raise unknown("model", name, there)
 
 
 @cache

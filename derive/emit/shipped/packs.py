@@ -191,7 +191,9 @@ def _read(folder: Path, written: tuple[int, int]) -> Pack:
             f" {folder}` makes one"
         ) from None
     except (OSError, ValueError, KeyError, TypeError) as problem:
-        raise PackError(f"{path} cannot be read: {problem}") from None
+        raise PackError(
+            f"{path} cannot be read ({problem}): make the pack again with `groundroll derive`"
+        ) from None
     if not is_current:
         raise PackError(
             f"the pack in {folder} was made by groundroll {made_with}, this is {VERSION}: make it"
@@ -200,7 +202,9 @@ def _read(folder: Path, written: tuple[int, int]) -> Pack:
     try:
         return _pack(folder, facts)
     except (KeyError, TypeError, ValueError) as problem:
-        raise PackError(f"{path} is damaged: {problem!r}; make the pack again") from None
+        raise PackError(
+            f"{path} is damaged ({problem!r}): make the pack again with `groundroll derive`"
+        ) from None
 
 
 def _series(version: str) -> list[str]:
