@@ -1,5 +1,6 @@
 """Sphinx configuration: `make docs` builds with warnings as errors."""
 
+import html
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -22,7 +23,7 @@ autodoc_typehints = "none"  # the docstrings say more: unit, shape, sign
 autodoc_member_order = "bysource"
 napoleon_google_docstring = False
 napoleon_use_ivar = True
-exclude_patterns = ["_build", "_pages", "examples"]
+exclude_patterns = ["_build", "_pages", "_explorers.md", "examples"]
 
 
 def _errata_page() -> str:
@@ -45,12 +46,16 @@ def _errata_page() -> str:
 def _explorers(folder: Path) -> None:
     """A page to play with for each packaged aircraft."""
     import groundroll as gr
+    from groundroll.aircraft import packaged
 
     folder.mkdir(parents=True, exist_ok=True)
-    for name in ("brott", "brott-physical"):
-        gr.explore(gr.Aircraft.load(name), folder / f"{name}.html", "nonlinear")
-    for name in ("cessna-170", "cessna-172p"):
-        gr.explore(gr.Aircraft.load(name), folder / f"{name}.html", "landing_roll")
+    lines = []
+    for name in packaged():
+        plane = gr.Aircraft.load(name)
+        model = "nonlinear" if name.startswith("brott") else "landing_roll"  # no span is printed
+        gr.explore(plane, folder / f"{name}.html", model)
+        lines.append(f'- <a href="explorer/{name}.html">{html.escape(plane.title)}</a>')
+    (Path(__file__).parent / "_explorers.md").write_text("\n".join([*lines, ""]), encoding="utf-8")
 
 
 def _escape(

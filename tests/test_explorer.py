@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import tempfile
@@ -14,11 +15,13 @@ import numpy as np
 import pytest
 from browser import browser, needs_browser, opened, settled, until
 from exported import NAMES, case
+from unprivileged import read_only_folder
 
 import groundroll as gr
 from groundroll.cli import main
+from groundroll.derive.emit.own import derive_file
 from groundroll.exchange.subject import subject
-from groundroll.model.models import as_model
+from groundroll.model.models import Model, as_model
 from groundroll.model.names import PARAMETERS
 
 pytestmark = needs_browser
@@ -254,6 +257,138 @@ def test_wheels_are_dragged_by_pointer_and_by_keys(chromium: Any) -> None:
         )
 
 
+#: Events that are no harm.
+HARMLESS = ("stopped", "wheel_lifted")
+#: What matters, each a slider that is seen at once where the model knows it.
+MATTERS = (
+    *("x_main", "x_tail", "track", "toe", "x_cg", "m", "u", "wind_x", "wind_y"),
+    *("Ct", "swivels", "tau_pilot"),
+)
+
+
+@pytest.fixture(scope="module")
+def flown() -> Any:
+    """The landing roll with a pilot, which nobody ships, derived as its user would."""
+    folder = Path(_FOLDER.name)
+    file = folder / "flown.py"
+    file.write_text(
+        "from groundroll.derive.models.landing_roll_flown import LANDING_ROLL_FLOWN as model\n"
+    )
+    derive_file(file, folder / "flown")
+    return Model.load(folder / "flown")
+
+
+def test_what_matters_has_a_slider_and_limits_that_are_the_models(
+    chromium: Any, flown: Any
+) -> None:
+    """How late a pilot may be, as the eigenvalues of the model in Python say."""
+    plane = gr.Aircraft.load("cessna-170")
+    path = gr.explore(plane, Path(_FOLDER.name) / "flown.html", flown, u0=15.0)
+    assert path.stat().st_size < 500_000
+    with opened(chromium, path) as page:
+        for s in MATTERS:
+            assert page.is_visible(f"#slider-{s}"), s
+        assert page.is_visible("#surface")
+        whole = page.locator("#slider-swivels")
+        assert [whole.get_attribute(key) for key in ("min", "max", "step")] == ["0", "1", "1"]
+        found = page.evaluate(
+            "(() => { const task = groundroll.bandsOf('tau_pilot', {low: 0.05, high: 3}); let step;"
+            " do step = task.next(); while (!step.done); const edge = step.value.pieces[0].to;"
+            " const at = (delay) => { const d = structuredClone(groundroll.design);"
+            " d.given.tau_pilot = delay; for (const s in d.inputs) d.inputs[s] = 0;"
+            " const { x } = groundroll.operatingPoint(d);"
+            " return { delay, x: [...x], p: [...groundroll.parametersOf(d).p] }; };"
+            " return { pieces: step.value.pieces, sides: [at(0.99 * edge), at(1.01 * edge)] }; })()"
+        )
+        assert [piece["good"] for piece in found["pieces"]] == [True, False]
+        for side, good in zip(found["sides"], (True, False), strict=True):
+            delay = side["p"][flown.parameters.index("tau_pilot")]
+            assert delay == pytest.approx(side["delay"], rel=1e-15)
+            u = np.zeros(len(flown.inputs))
+            A = np.array(flown.expression("jacobians")(side["x"], u, side["p"])[0])
+            held = {flown.roles["speed"]}
+            steered = {*flown.dynamic, flown.roles["offset"], flown.roles["heading"]} - held
+            core = [k for k, s in enumerate(flown.states) if s in steered]
+            A = A[np.ix_(core, core)]
+            live = abs(A).max(axis=1) > 0
+            assert (np.linalg.eigvals(A[np.ix_(live, live)]).real.max() < 0) == good
+
+
+def test_the_limit_of_crosswind_is_that_of_simulate(chromium: Any) -> None:
+    """On either side of it a roll in Python ends as the page says."""
+    plane = gr.Aircraft.load("cessna-172p")
+    path = gr.explore(plane, Path(_FOLDER.name) / "wind.html", "landing_roll")
+    with opened(chromium, path) as page:
+        found = page.evaluate(
+            "(() => { const task = groundroll.bandsOf('wind_y', {low: 0, high: 15}); let step;"
+            " do step = task.next(); while (!step.done); return { pieces: step.value.pieces,"
+            " start: groundroll.design.start, u: groundroll.design.given.u }; })()"
+        )
+    edge = next(piece["to"] for piece in found["pieces"] if piece["to"] < 15)
+    fates = []
+    for factor in (0.98, 1.02):
+        acting = {**found["start"], "u0": found["u"], "wind_y": factor * edge}
+        run = gr.simulate(plane, "landing_roll", t=10.0, samples=301, **acting)
+        hard = [t for name, t in run.events.items() if not name.startswith(HARMLESS)]
+        lost = abs(run["psi"]).max() >= math.radians(45) or abs(run["Y"]).max() >= 15.0
+        fates.append(bool(lost) or any(0 < float(t) < math.inf for t in hard))
+    first_good = found["pieces"][0]["good"]
+    assert fates == [not first_good, first_good]
+
+
+def test_a_wheel_is_dragged_from_the_side_too(chromium: Any) -> None:
+    with opened(chromium, written("landing_roll")) as page:
+        handle = page.locator("#side .handle.wheel[aria-label^=left] .mark")
+        before = page.evaluate("groundroll.design.given.x_main")
+        box = handle.bounding_box()
+        middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        page.mouse.move(*middle)
+        page.mouse.down()
+        page.mouse.move(middle[0] - 15, middle[1], steps=3)
+        page.mouse.up()
+        page.wait_for_timeout(100)
+        assert handle.bounding_box()["x"] - box["x"] == pytest.approx(-15, abs=1.5)
+        assert page.evaluate("groundroll.design.given.x_main") > before
+
+
+DEFICIENCIES = ("none", "protanopia", "deuteranopia", "tritanopia", "achromatopsia")
+
+
+@pytest.mark.parametrize("deficiency", DEFICIENCIES)
+def test_good_and_bad_can_be_told_apart_by_every_eye(deficiency: str, chromium: Any) -> None:
+    """In the key, and in the map where it is surest."""
+    from matplotlib import image
+
+    with opened(chromium, written("nonlinear")) as page:
+        settled(page)
+        session = page.context.new_cdp_session(page)
+        session.send("Emulation.setEmulatedVisionDeficiency", {"type": deficiency})
+
+        def look(**clip: Any) -> np.ndarray:
+            return np.asarray(image.imread(io.BytesIO(page.screenshot(**clip)))[..., :3])
+
+        def key(kind: str) -> np.ndarray:
+            locator = page.locator(f".controls .key.{kind}").last
+            whole = np.asarray(image.imread(io.BytesIO(locator.screenshot()))[..., :3])
+            return whole[2:-2, 3:-3]  # without its round corners
+
+        apart = abs(key("good").mean((0, 1)) - key("bad").mean((0, 1))).max()
+        streaks = key("bad").std((0, 1)).max() - key("good").std((0, 1)).max()
+        assert apart > 0.15 or streaks > 0.1
+        found = page.evaluate(
+            "(() => { scrollTo(0, 0); const { values } = groundroll.mapped, box ="
+            " document.getElementById('map').getBoundingClientRect();"
+            " const at = (k) => [box.x + 64 + (k % 64 + 0.5) / 64 * (box.width - 76),"
+            " box.y + 10 + (1 - (Math.floor(k / 64) + 0.5) / 48) * (box.height - 54)];"
+            " const sorted = [...values.keys()].filter((k) => values[k] === values[k])"
+            ".sort((a, b) => values[a] - values[b]);"
+            " return [at(sorted[0]), at(sorted.at(-1))]; })()"
+        )
+        bad, good = (look(clip={"x": x - 2, "y": y - 2, "width": 4, "height": 4}) for x, y in found)
+        hatched = bad.std((0, 1)).max() > 0.02
+        assert abs(bad.mean((0, 1)) - good.mean((0, 1))).max() > 0.15 or hatched
+
+
 def test_a_link_carries_the_design(chromium: Any) -> None:
     with opened(chromium, written("nonlinear")) as page:
         page.fill("#slider-x_main >> xpath=../input[@type='text']", "-14.5 in")
@@ -385,6 +520,12 @@ def test_it_fits_a_phone_and_paper(chromium: Any) -> None:
     phone = {"viewport": {"width": 360, "height": 740}, "has_touch": True}
     with opened(chromium, written("landing_roll"), **phone) as page:
         assert page.evaluate("document.documentElement.scrollWidth") <= 360
+        smallest = page.evaluate(
+            "Math.min(...[...document.querySelectorAll('svg text')].filter((e) =>"
+            " e.getClientRects().length && e.textContent)"
+            ".map((e) => e.getBoundingClientRect().height))"
+        )
+        assert smallest > 9  # px: it can be read
         page.emulate_media(media="print")
         assert not page.is_visible("#slider-m")
         assert page.is_visible("#slider-m >> xpath=../input[@type='text']")
@@ -431,3 +572,6 @@ def test_what_cannot_be_is_said_and_nothing_is_left(
     with pytest.raises(gr.GroundrollError, match=r"landing_roll is too large for a page: .* kB"):
         gr.explore(gr.Aircraft.load("cessna-170"), out, "landing_roll")
     assert list(tmp_path.iterdir()) == []
+    monkeypatch.undo()
+    with read_only_folder() as folder, pytest.raises(gr.GroundrollError, match="cannot write"):
+        gr.explore(plane, folder / "page.html", "linear")

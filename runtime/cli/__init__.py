@@ -36,7 +36,7 @@ COMMANDS = {
     "fit-tire": "Parameters of the non-linear tire from measured forces.",
     "derive": "A model of your own: from a parts list to a folder of compiled code.",
     "explore": "A page to play with an aircraft in any browser, in one file.",
-    "export": "A model with an aircraft's numbers in C, for programs without Python.",
+    "export": "A model with an aircraft's numbers for other programs: C, FMI.",
     "study": "Every table and figure of Brott's thesis, computed and compared.",
     "info": "Versions, packaged aircraft and tires, models.",
 }

@@ -215,7 +215,12 @@ def _sliders(
     shown |= {s: "" for s in offered if s not in shown}
     values = {**_values(subject), **given, **subject.inputs, **start}
     return [
-        {"symbol": s, "group": title, **_ends(subject, s, values[s])}
+        {
+            "symbol": s,
+            "group": title,
+            **_ends(subject, s, values[s]),
+            "whole": s in _settings()["whole"]["symbols"],
+        }
         for s, title in shown.items()
         if math.isfinite(values.get(s, math.nan))
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from functools import cache
 
 import casadi as ca
 
@@ -23,6 +24,7 @@ _MATH = (
 )
 
 
+@cache
 def functions_text(model: Model) -> str:
     """JavaScript that defines rates, outputs, along, places and WAYS."""
     head = f"const {{ {', '.join(_MATH)} }} = Math;"

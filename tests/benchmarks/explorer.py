@@ -52,8 +52,13 @@ def measured(chromium: Any, model: str, plane: str, folder: Path) -> tuple[float
     return float(np.median(work)), float(np.quantile(work, 0.95)), roll
 
 
+#: What must hold: work in a frame, ms; rolls of the planar model in a frame.
+MOST_WORK, LEAST_ROLLS = 8.0, 20.0
+
+
 def main() -> None:
-    """Print one line for each model."""
+    """Print one line for each model; fail if a page is too slow."""
+    missed = []
     if not CHROMIUM:
         print("there is no chromium here")
         return
@@ -64,6 +69,12 @@ def main() -> None:
                 f"{model}: {middle:.1f} ms of work in a frame while dragging (95 %: {most:.1f}),"
                 f" {roll:.2f} ms a roll, {FRAME / roll:.0f} rolls in a frame"
             )
+            if middle > MOST_WORK:
+                missed.append(f"{model} works {middle:.1f} ms in a frame, over {MOST_WORK} ms")
+            if model == "nonlinear" and FRAME / roll < LEAST_ROLLS:
+                missed.append(f"{FRAME / roll:.0f} rolls in a frame, under {LEAST_ROLLS:.0f}")
+    if missed:
+        raise SystemExit("; ".join(missed))
 
 
 if __name__ == "__main__":

@@ -20,10 +20,10 @@ function buildControls() {
   });
 }
 
-function rowOf({ symbol: s, low, high }) {
+function rowOf({ symbol: s, low, high, whole }) {
   const id = `slider-${s}`, { name, meaning } = QUANTITIES[s];
   const row = element("div", { class: "row", title: meaning });
-  const range = element("input", { type: "range", id, min: low, max: high, step: (high - low) / 400 });
+  const range = element("input", { type: "range", id, min: low, max: high, step: whole ? 1 : (high - low) / 400 });
   const number = element("input", { type: "text", inputmode: "text", autocomplete: "off", "aria-label": `${plain(name)}, number with unit` });
   const band = element("div", { class: "band", "aria-hidden": "true" });
   const note = element("span", { class: "note", id: `note-${s}` });

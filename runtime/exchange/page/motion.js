@@ -219,7 +219,8 @@ function rollOf(design, options = {}) {
 function fateOf(roll) {
   const found = [];
   MODEL.events.forEach((event, i) => {
-    if (event.bad && roll.first[i] <= roll.end) {
+    // what holds before it rolls is none of its fate: a tricycle's CG is always ahead of its main wheels
+    if (event.bad && roll.first[i] > 0 && roll.first[i] <= roll.end) {
       found.push({ name: event.name, text: event.text, t: roll.first[i] });
     }
   });

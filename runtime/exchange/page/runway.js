@@ -1,5 +1,5 @@
 // The roll seen from above, as it goes on in time, and what becomes of it.
-const RUNWAY = { wide: 900, high: innerWidth < 760 ? 460 : 260 };
+const RUNWAY = innerWidth < 760 ? { wide: 420, high: 260 } : { wide: 900, high: 260 };
 let rolled = null; // the roll that is drawn
 let playing = false, playedAt = 0, shownTime = 0;
 const QUIET = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -79,7 +79,7 @@ function drawPath(roll, fate) {
   marks.replaceChildren();
   const s = DISTANCE, [unit, factor] = shownIn(s);
   const from = ground.X[0] * factor, to = Math.max(...ground.X) * factor;
-  for (const value of ticks(Math.min(from, to), to, 6)) {
+  for (const value of ticks(Math.min(from, to), to, RUNWAY.wide / 150)) {
     const [px] = ground.at(value / factor, 0);
     shape(marks, "path", { d: `M${px} ${RUNWAY.high}v-6` });
     shape(marks, "text", { x: px + 4, y: RUNWAY.high - 4 }, `${brief(value)} ${unit}`);
