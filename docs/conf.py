@@ -46,7 +46,7 @@ def _errata_page() -> str:
 def _explorers(folder: Path) -> None:
     """A page to play with for each packaged aircraft."""
     import groundroll as gr
-    from groundroll.aircraft import packaged
+    from groundroll.aircraft.aircraft import packaged
 
     folder.mkdir(parents=True, exist_ok=True)
     lines = []

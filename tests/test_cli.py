@@ -77,7 +77,7 @@ def test_every_command_is_described_once_and_exists():
 
 
 #: Those whose example needs long, or a file of the user's.
-LONG = {"derive", "place", "study"}
+LONG = {"derive", "import", "place", "study"}
 
 
 @pytest.mark.parametrize("name", [name for name in cli.COMMANDS if name not in LONG])

@@ -33,6 +33,7 @@ COMMANDS = {
     "survival": "How hard a kick it survives, beside what the linear model says.",
     "check": "What an aircraft file says, what follows, what is missing.",
     "new": "An aircraft file to fill in.",
+    "import": "An aircraft file from JSBSim's, and AVL's stability derivatives.",
     "fit-tire": "Parameters of the non-linear tire from measured forces.",
     "derive": "A model of your own: from a parts list to a folder of compiled code.",
     "explore": "A page to play with an aircraft in any browser, in one file.",
