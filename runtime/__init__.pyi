@@ -8,6 +8,8 @@ from .fates.basins import Basin as Basin
 from .fates.basins import basin as basin
 from .fates.kicks import Survival as Survival
 from .fates.kicks import survival as survival
+from .linear.branching import Branches as Branches
+from .linear.branching import branches as branches
 from .linear.linearization import Linearization as Linearization
 from .linear.linearization import linearize as linearize
 from .linear.operating_point import OperatingPoint as OperatingPoint

@@ -30,6 +30,7 @@ ARMS, SPEEDS = ("a", np.linspace(0.2, 0.6, 9)), ("speed", np.linspace(10.0, 40.0
 SHOWN: dict[str, tuple[Callable[[], Any], str]] = {
     "Aircraft": (lambda: PLANE, "<table"),
     "Basin": (lambda: gr.basin(PLANE, SPEEDS, ("v0", [0.0, 20.0])), "<img"),
+    "Branches": (lambda: gr.branches(PLANE, "speed", (10.0, 40.0)), "<table"),
     "Ensemble": (lambda: gr.ensemble(SEVERAL, 1.0, v0=0.1, limits={"y": 0.1}), "<table"),
     "FrequencyResponse": (lambda: gr.frequency_response(gr.linearize(SEVERAL), "r"), "<img"),
     "GearEnvelope": (lambda: gr.gear_envelope(SEVERAL), "<table"),

@@ -69,6 +69,7 @@ MADE: dict[str, Callable[[], gr.Result]] = {
     "starts": lambda: gr.basin(PLANE, ("v0", [0.0, 5.0, 9.0]), ("r0", [0.0, 0.5])),
     "trim": lambda: gr.trim(PLANE, disturbance=300.0),
     "trims": lambda: gr.trim(SEVERAL, "linear", disturbance=SPEEDS),
+    "branches": lambda: gr.branches(PLANE, "speed", (10.0, 40.0), disturbance=20.0),
     "no equilibrium": lambda: gr.trim(PLANE, disturbance=9e4),
 }
 

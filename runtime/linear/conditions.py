@@ -10,8 +10,8 @@ import numpy as np
 
 from groundroll.aircraft.aircraft import Aircraft
 from groundroll.aircraft.values import Given
-from groundroll.base.arrays import FloatArray, finite
-from groundroll.base.errors import GroundrollError
+from groundroll.base.arrays import FloatArray, single
+from groundroll.base.errors import GroundrollError, shown
 from groundroll.model.models import Model
 from groundroll.model.names import listed
 
@@ -46,17 +46,20 @@ def ranges_of(model: Model, within: Mapping[str, Any] | None) -> dict[str, tuple
     allowed = (*model.dynamic, *model.inputs)
     for name, pair in (within or {}).items():
         s = model.symbol(name, "state or input", allowed, "within")
-        try:
-            low, high = (
-                float(finite(f"within[{name!r}]", x, model.quantities[s].unit)) for x in pair
-            )
-        except (TypeError, ValueError):
-            raise GroundrollError(f"within[{name!r}] must be a pair, from and to") from None
-        if not low < high:
-            raise GroundrollError(f"within[{name!r}] must be from a smaller to a larger value")
+        low, high = pair_of(f"within[{name!r}]", pair, model.quantities[s].unit)
         least, most = found.get(s, (-math.inf, math.inf))
         found[s] = max(low, least), min(high, most)
     return found
+
+
+def pair_of(what: str, pair: Any, unit: str) -> tuple[float, float]:
+    """From where to where, SI."""
+    if isinstance(pair, str) or not isinstance(pair, Iterable) or len(ends := list(pair)) != 2:
+        raise GroundrollError(f"{what} must be a pair, from and to, not {shown(pair)}")
+    low, high = (single(what, end, unit) for end in ends)
+    if not low < high:
+        raise GroundrollError(f"{what} must be from a smaller to a larger value")
+    return low, high
 
 
 def named(plane: Aircraft, found: Given) -> dict[str, FloatArray]:

@@ -7,7 +7,7 @@ of an equilibrium gets there.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -64,12 +64,12 @@ class Answer:
     ----------
     values : ndarray, shape (cases, branches, unknowns)
         In order of the first unknown; NaN where a case has fewer than another.
-    reasons : list of str
-        For each case why it has none; empty if it has.
+    reason : callable
+        Of a case: why it has no other.
     """
 
     values: FloatArray
-    reasons: list[str]
+    reason: Callable[[int], str]
 
 
 def solve(question: Question, starts: int) -> Answer:
@@ -79,24 +79,25 @@ def solve(question: Question, starts: int) -> Answer:
         raise GroundrollError("nothing is left to be found: every state is given")
     begin = _starts(question, starts)
     found, left = _newton(question, begin.reshape(-1, k), starts)
-    found = np.where(np.abs(found) < _NOTHING * _widths(question), 0.0, _turned(question, found))
+    found = np.where(np.abs(found) < _NOTHING * widths_of(question), 0.0, _turned(question, found))
     found, left = found.reshape(cases, starts, k), left.reshape(cases, starts)
     solved = left <= _THERE
     low, high = np.array([question.ranges.get(s, (-np.inf, np.inf)) for s in question.unknown]).T
     within = solved & ((found >= low) & (found <= high)).all(axis=-1)
-    new = _first_of_each(found / _widths(question), within)
+    new = _first_of_each(found / widths_of(question), within)
     count = int(new.sum(axis=1).max(initial=0))
     values = np.where(new[..., None], found, np.nan)
     order = np.argsort(np.where(new, found[..., 0], np.inf), axis=1, kind="stable")
     values = np.take_along_axis(values, order[..., None], axis=1)[:, :count]
-    reasons = [
-        "" if any_ else _why(question, found[i], solved[i], left[i])
-        for i, any_ in enumerate(np.asarray(new.any(axis=1)))
-    ]
-    return Answer(values, reasons)
+
+    def reason(case: int) -> str:
+        return _why(question, found[case], solved[case] & ~within[case], left[case])
+
+    return Answer(values, reason)
 
 
-def _widths(question: Question) -> FloatArray:
+def widths_of(question: Question) -> FloatArray:
+    """How much of each unknown matters."""
     q = question.points.model.quantities
     return np.array([_WIDTH.get(q[s].unit, 1.0) for s in question.unknown])
 
@@ -112,7 +113,7 @@ def _turned(question: Question, found: FloatArray) -> FloatArray:
 
 def _starts(question: Question, starts: int) -> FloatArray:
     """Where the search begins, shape (cases, starts, unknowns): the first as given."""
-    points, widths = question.points, _widths(question)
+    points, widths = question.points, widths_of(question)
     first = np.stack(
         [np.broadcast_to(points.values[s], points.shape).reshape(-1) for s in question.unknown], -1
     )
@@ -130,7 +131,7 @@ def _starts(question: Question, starts: int) -> FloatArray:
 
 def _newton(question: Question, at: FloatArray, starts: int) -> tuple[FloatArray, FloatArray]:
     """Where the steps end, shape (n, unknowns), and what is left of the rates there, (n,)."""
-    at, widths = at.copy(), _widths(question)
+    at, widths = at.copy(), widths_of(question)
     system = _System(question, starts)
     everyone = np.arange(len(at))
     rates, slopes = system(at, everyone)
@@ -224,7 +225,7 @@ def _why(question: Question, found: FloatArray, solved: BoolArray, left: FloatAr
             [question.ranges.get(s, (-np.inf, np.inf)) for s in question.unknown]
         ).T
         some = found[solved]
-        beyond = np.maximum(low - some, some - high) / _widths(question)
+        beyond = np.maximum(low - some, some - high) / widths_of(question)
         nearest = np.maximum(beyond, 0.0).sum(axis=1).argmin()
         parts = [
             f"{q[s].name} would have to be"

@@ -287,7 +287,7 @@ def trim(
     points = points_of(chosen, found)
     question, held, idle = question_of(points, found, inputs, ranges)
     answer = solve(question, whole("starts", starts, 1))
-    return _told(
+    told = _told(
         points,
         {s: answer.values[..., k] for k, s in enumerate(question.unknown)},
         tuple(s for s in chosen.dynamic if s not in (*held, *idle)),
@@ -295,9 +295,11 @@ def trim(
         searched={s: ranges.get(s, (-math.inf, math.inf)) for s in question.unknown},
         complete=False,
         held=held,
-        reasons=tuple(answer.reasons),
+        reasons=(),
         given=named(plane, found),
     )
+    counts = enumerate(told.count.flat)
+    return replace(told, reasons=tuple("" if n else answer.reason(i) for i, n in counts))
 
 
 def _turns(model: Model, found: Given, plane: Aircraft, slip: float | str) -> Trim:
@@ -349,7 +351,7 @@ def _told(
         results = each.evaluate("g", "fx", over=moving)
         columns |= dict(zip(model.outputs, results["g"].T, strict=True))
         columns["decay_rate"] = modes_of(results["fx"]).decay_rate
-    clear = _is_clear(model, columns)
+    clear = is_clear(model, columns)
     left_out = np.bincount(case[~clear], minlength=points.count)
     case, count = case[clear], np.bincount(case[clear], minlength=points.count)
     branch = np.arange(case.size) - np.searchsorted(case, case)
@@ -371,7 +373,7 @@ def _told(
     )
 
 
-def _is_clear(model: Model, columns: Mapping[str, FloatArray]) -> BoolArray:
+def is_clear(model: Model, columns: Mapping[str, FloatArray]) -> BoolArray:
     """Where nothing is through the ground that should not be."""
     clear = np.ones(next(iter(columns.values())).shape, bool)
     for event in model.events:

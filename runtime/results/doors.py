@@ -16,6 +16,7 @@ KINDS = {
     "trajectory": "runs.simulation.Trajectory",
     "linearization": "linear.linearization.Linearization",
     "trim": "linear.trimming.Trim",
+    "branches": "linear.branching.Branches",
     "sweep": "stability.sweeps.Sweep",
     "map": "stability.maps.StabilityMap",
     "ensemble": "runs.ensemble_result.Ensemble",
@@ -29,6 +30,7 @@ PICTURES = {
     "bode": "view.responses.bode",
     "step": "view.responses.step",
     "locus": "view.responses.locus",
+    "branches": "view.branches.diagram",
 }
 
 
