@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import venv
 from pathlib import Path
 
 import pytest
@@ -49,13 +50,32 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def site(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the package as a wheel built from the sdist puts it there."""
+def wheel(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A wheel built from the sdist."""
     wheels = tmp_path_factory.mktemp("wheels")
     pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(wheels), str(source))
-    (wheel,) = wheels.glob("*.whl")
+    (made,) = wheels.glob("*.whl")
+    return made
+
+
+@pytest.fixture(scope="module")
+def site(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the package as the wheel puts it there."""
     folder = tmp_path_factory.mktemp("site")
     pip("install", "--no-deps", "--target", str(folder), str(wheel))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def environment(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An environment that holds the wheel and what this one has, but for the checkout."""
+    folder = tmp_path_factory.mktemp("environment")
+    venv.create(folder, with_pip=False)
+    (home,) = folder.glob("lib/python*/site-packages")
+    dependencies = [path for path in sys.path if path.endswith("site-packages")]
+    (home / "dependencies.pth").write_text("\n".join(dependencies))
+    python = ("--python", str(folder / "bin" / "python"))
+    pip(*python, "install", "--no-deps", "--no-index", "--ignore-installed", str(wheel))
     return folder
 
 
@@ -98,3 +118,57 @@ def test_a_wheel_carries_all_it_needs(site: Path, tmp_path: Path) -> None:
 )
 def test_data_is_installed(site: Path, name: str) -> None:
     assert (site / "groundroll" / name).is_file()
+
+
+# --- A model of one's own, without a checkout -----------------------------------------------------
+
+CAR = """
+m = 1500.0
+Izz = 2500.0
+g = 9.81
+
+[parameters]
+l_front = "1.2 m"
+l_rear = "1.6 m"
+width = "1.5 m"
+C_front = "120 kN/rad"
+C_rear = "150 kN/rad"
+grip = 0.9
+wheel_load = "3.6 kN"
+"""
+
+
+def test_a_model_of_ones_own_needs_the_wheel_and_no_checkout(
+    environment: Path, tmp_path: Path
+) -> None:
+    shutil.copy(Path(__file__).parent / "models" / "four_wheels.py", tmp_path / "mine.py")
+    (tmp_path / "car.toml").write_text(CAR)
+    variables = {k: x for k, x in os.environ.items() if not k.startswith("PYTHON")}
+    variables["GROUNDROLL_CACHE"] = str(tmp_path / "cache")
+
+    def run(program: str, *words: str) -> str:
+        done = subprocess.run(
+            [environment / "bin" / program, *words],
+            cwd=tmp_path,
+            env=variables,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    home = run("python", "-c", "import groundroll; print(groundroll.__file__)")
+    assert Path(home.strip()).is_relative_to(environment)
+    run("groundroll", "derive", "mine.py", "--out", "mine/")
+    written = {p.relative_to(tmp_path / "mine").as_posix() for p in tmp_path.rglob("mine/**/*")}
+    assert {"facts.json", "EQUATIONS.md", "model.py", "c/rk45.c"} <= written
+    words = ("car.toml", "--model", "mine/", "--input", "steering=3 deg")
+    told = run("groundroll", "simulate", *words, "--start", "u=72 km/h", "--plot", "run.png")
+    assert "car, four_wheels model, 20 m/s" in told
+    assert (tmp_path / "run.png").is_file()
+    assert list((tmp_path / "cache").glob("*four_wheels*.so")) or list(tmp_path.rglob("*.so"))
+    kept = run("groundroll", "linearize", *words, "--at", "u=72 km/h", "--out", "lin.npz")
+    assert kept == ""
+    script = "import groundroll as gr; print(gr.Linearization.load('lin.npz').inputs)"
+    assert run("python", "-c", script).strip() == "('steering', 'brake_left', 'brake_right')"
