@@ -14,7 +14,9 @@ from groundroll.cli import main
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-BLOCK = re.compile(r"^```(python|console|c)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(python|console|c|toml)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+#: The first line of a block that is a file of the reader's.
+FILE = re.compile(r"# (\w+\.(?:py|toml))\n")
 
 
 def blocks(page: Path) -> list[tuple[str, str]]:
@@ -40,7 +42,11 @@ def test_code_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pytest.Mon
     mpl.use("Agg")
     namespace: dict[str, object] = {}
     for language, code in blocks(page):
-        if language == "python":
+        if file := FILE.match(code):
+            Path(file[1]).write_text(code, encoding="utf-8")
+        elif language == "toml":
+            continue  # a piece of a file
+        elif language == "python":
             exec(compile(code, page.name, "exec"), namespace)
         elif language == "c":
             Path("roll.c").write_text(code, encoding="utf-8")
