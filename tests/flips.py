@@ -67,7 +67,7 @@ def value(expr: sp.Basic, at: Mapping[str, float]) -> float:
     if isinstance(expr, Constant):
         return expr.value
     if expr.is_Symbol:
-        return at[str(expr)]
+        return at[expr.name]
     if isinstance(expr, sp.Piecewise):
         return next(value(result, at) for result, condition in expr.args if value(condition, at))
     if not expr.args:

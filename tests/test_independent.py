@@ -34,9 +34,9 @@ def compiled(expr: sp.Expr) -> tuple[tuple[str, ...], Callable[..., float]]:
 
 
 def links(model: Derivation) -> Iterator[tuple[str, sp.Expr]]:
-    yield from ((str(e.lhs), e.rhs) for e in model.chain)
+    yield from ((e.lhs.name, e.rhs) for e in model.chain)
     for state, rate in zip(model.states, model.rates, strict=True):
-        yield f"{state}_dot of x", rate
+        yield f"{state.name}_dot of x", rate
 
 
 def numbers(model: Derivation, point: dict[str, float], of: Derivation) -> list[float]:
@@ -48,7 +48,9 @@ def numbers(model: Derivation, point: dict[str, float], of: Derivation) -> list[
             values[name] = float(f(*(values[n] for n in arguments)))
         else:
             values[name] = value(expr, values)
-    return [values[f"{s}_dot of x"] for s in model.states] + [values[str(q)] for q in model.outputs]
+    return [values[f"{s.name}_dot of x"] for s in model.states] + [
+        values[q.name] for q in model.outputs
+    ]
 
 
 @cache
