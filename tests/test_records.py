@@ -303,8 +303,10 @@ def test_a_map_and_a_basin_in_tables() -> None:
     fates = basin.to_xarray()["fate"]
     assert fates.dims == ("r0", "v0")
     meanings = fates.attrs["flag_meanings"].split()
-    assert meanings[basin.fate[0, 0]] == "straightens_out"
-    assert basin.to_pandas()["fate"].value_counts()["straightens out"] == (basin.fate == 0).sum()
+    assert meanings[basin.fate[0, 0]] == "stays_on_the_runway"
+    assert (
+        basin.to_pandas()["fate"].value_counts()["stays on the runway"] == (basin.fate == 0).sum()
+    )
 
 
 def test_a_survival_and_a_trim_in_tables() -> None:

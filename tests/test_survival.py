@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot
+from own_models import CAR, own
 
 import groundroll as gr
 from groundroll import cli
 from groundroll.fates.fates import FATES, Criterion, fates
 from groundroll.model.evaluate import elementwise
+from groundroll.model.models import as_model
 
 mpl.use("Agg")
 
@@ -97,7 +101,7 @@ def test_right_and_left_are_the_same():
 
 def test_rest_straightens_out_at_once():
     fate, when = fates(PLANE, 0.0, 0.0, Criterion())
-    assert (FATES[int(fate)], float(when)) == ("straightens out", 0.0)
+    assert (FATES[int(fate)], float(when)) == ("stays on the runway", 0.0)
 
 
 def test_what_is_unstable_survives_nothing():
@@ -148,7 +152,7 @@ def test_a_basin_is_fates_over_a_grid(basin: gr.Basin):
     assert 0.2 < basin.share < 0.9
     one, _ = fates(basin.aircraft, basin.x[4], basin.y[20], basin.criterion)
     assert one == basin.fate[20, 4]
-    assert "straightens out" in repr(basin)
+    assert "stays on the runway" in repr(basin)
 
 
 def test_a_basin_over_speed_and_impulse_meets_the_threshold():
@@ -165,7 +169,7 @@ def test_a_basin_is_drawn_with_units_and_a_legend(basin: gr.Basin):
     assert axes.get_xlabel() == "initial lateral velocity $v$ (m/s)"
     assert axes.get_ylabel() == "initial yaw rate $r$ (deg/s)"
     labels = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert labels[0] == "straightens out"
+    assert labels[0] == "stays on the runway"
     assert axes.get_ylim()[1] > 170
     _, own = pyplot.subplots()
     assert basin.plot(own) is own
@@ -208,3 +212,72 @@ def test_mistakes_of_a_basin_are_named(x: object, y: object, message: str):
         gr.basin(PLANE, x, y)
     with pytest.raises(gr.GroundrollError, match="of one aircraft"):
         gr.basin(PLANE.replace(a=[0.1, 0.2]), ("v0", [0, 1]), ("r0", [0, 1]))
+
+
+# --- Every model ----------------------------------------------------------------------------
+
+CESSNA = gr.Aircraft.load("cessna-170")
+BRAKED = {"brake_left": 0.3, "brake_right": 0.3, "speed": 20.0}
+
+
+def rolled(impulse: float, criterion: Criterion) -> str:
+    """The fate of one roll to a stop, by a plain simulation that is looked at every 2 ms."""
+    v0 = impulse / float(CESSNA["m"])
+    run = gr.simulate(CESSNA, "rollout", t=60.0, samples=30_001, v0=v0, until="stopped", **BRAKED)
+    over = run.t <= run.events["stopped"]
+    turns = np.abs(run["psi"][over]) >= criterion.heading
+    leaves = np.abs(run["Y"][over]) >= criterion.half_width
+    first = {FATES[1]: turns.argmax() if turns.any() else np.inf}
+    first[FATES[2]] = leaves.argmax() if leaves.any() else np.inf
+    if min(first.values()) < np.inf:
+        return min(first, key=lambda fate: first[fate])
+    assert np.isfinite(run.events["stopped"])
+    return FATES[0]
+
+
+def test_where_the_speed_falls_it_stays_on_the_runway_until_it_has_stopped():
+    found = gr.survival(CESSNA, "rollout", **BRAKED)
+    assert 0 < found.impulse < found.velocity_change * 2 * CESSNA["m"]
+    assert rolled(0.999 * float(found.impulse), found.criterion) == FATES[0]
+    beyond = rolled(1.0012 * float(found.impulse), found.criterion)
+    assert beyond == FATES[int(found.fate)] != FATES[0]
+
+
+def test_a_crosswind_takes_from_what_is_survived():
+    calm, windy = (
+        float(gr.survival(CESSNA, "rollout", crosswind=wind, **BRAKED).impulse)
+        for wind in ("0 m/s", "1 m/s")
+    )
+    assert windy < calm
+
+
+def test_arrays_of_inputs_are_cases():
+    winds = np.array([0.0, 0.5])
+    both = gr.survival(CESSNA, "rollout", crosswind=winds, **BRAKED)
+    each = [gr.survival(CESSNA, "rollout", crosswind=w, **BRAKED).impulse for w in winds]
+    np.testing.assert_allclose(both.impulse, each, rtol=1e-3)
+
+
+def test_a_result_of_another_model_comes_back(tmp_path):
+    found = gr.survival(CESSNA, "rollout", crosswind=0.5, **BRAKED)
+    again = gr.Survival.load(found.save(tmp_path / "kept.npz"))
+    assert repr(again) == repr(found)
+    assert (again.model, again.inputs["wind_y"]) == ("rollout", 0.5)
+    basin = gr.basin(CESSNA, ("speed", [10.0, 15.0]), ("impulse", [0.0, 500.0]), "rollout")
+    assert repr(gr.Basin.load(basin.save(tmp_path / "basin.nc"))) == repr(basin)
+    assert "rollout model" in basin.plot().get_legend().get_title().get_text()
+    pyplot.close("all")
+
+
+def test_a_model_of_ones_own():
+    """A car that understeers straightens out whatever the kick, as far as its path allows."""
+    found = gr.survival(CAR, own("single_track"), half_width=50.0, speed=15.0, steering=0.0)
+    assert found.impulse > 0
+    with pytest.raises(gr.GroundrollError, match="cannot be given v0"):
+        gr.survival(CAR, own("single_track"), v0=1.0)
+
+
+def test_a_model_without_a_heading_says_so():
+    blind = replace(as_model("rollout"), roles={"speed": "u", "offset": "Y"})
+    with pytest.raises(gr.GroundrollError, match="needs lateral velocity and yaw rate and heading"):
+        gr.survival(CESSNA, blind)

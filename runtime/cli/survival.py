@@ -11,6 +11,7 @@ import click
 import numpy as np
 
 from groundroll.base.bar import bar
+from groundroll.model.models import ModelLike
 
 from . import options
 from .output import Output, emit, filled, number, shown, table
@@ -43,6 +44,8 @@ _COLUMNS = {
     ),
 )
 @options.aircraft
+@options.model()
+@options.inputs
 @options.varied(
     "station",
     "station",
@@ -67,9 +70,10 @@ _COLUMNS = {
     type=float,
     default=0.1,
     show_default=True,
-    help="It has straightened out when motion has fallen to this share of its largest.",
+    help="It has straightened out when motion has fallen to this share of its largest (where the"
+    " speed is held; else it must stop).",
 )
-@options.quantity("t", "s", "Time in which it must.", default=20.0, show_default=True)
+@options.quantity("t", "s", "Time in which it must; default 20 s, 300 s where the speed falls.")
 @options.quantity("largest", "N s", "Largest impulse tried. Default: what v = speed takes.")
 @click.option("--threads", type=click.IntRange(min=1), help="Default: every processor.")
 @options.result
@@ -77,10 +81,12 @@ _COLUMNS = {
 def command(
     plane: str,
     changes: options.Changes,
+    model: ModelLike,
+    inputs: options.Values,
     station: float | options.Grid,
     speed: float | options.Grid | None,
     settled: float,
-    t: float,
+    t: float | None,
     largest: float | None,
     threads: int | None,
     form: str,
@@ -89,26 +95,27 @@ def command(
     plotless: bool,
     **limits: float,
 ) -> None:
-    """How hard a side kick an aircraft survives, hands off, with the non-linear tire.
+    """How hard a side kick an aircraft survives, hands off.
 
-    It survives if it straightens out on the runway without turning too far. Right and left are
-    the same. The picture is of what becomes of it over speed and impulse; of a range of stations,
-    the threshold over them.
+    It survives if it straightens out, or in a model whose speed falls comes to a stop, on the
+    runway and without turning too far. Right and left are the same. The picture is of what becomes
+    of it over speed and impulse; of a range of stations, the threshold over them.
     """
     from groundroll.fates.kicks import survival
 
-    aircraft = options.loaded(plane, changes)
-    criterion: dict[str, Any] = {**limits, "settled": settled, "t": t, "threads": threads}
+    aircraft = options.loaded(plane, changes, model)
+    asked: dict[str, Any] = {**limits, "settled": settled, "t": t, "threads": threads}
+    asked |= {"model": model, **options.by_name(inputs)}
     stations, speeds = _values(station), _values(aircraft["u"] if speed is None else speed)
     grid = {"station": stations[:, None], "speed": speeds[None, :]}
     with bar("kicks") as show:
-        found = survival(aircraft, **grid, largest=largest, **criterion, progress=show)
+        found = survival(aircraft, **grid, largest=largest, **asked, progress=show)
     cases = _cases(found, speeds)
     data = _data(found, stations, speeds)
     emit(Output(_text(found, cases), _rows(found, cases), data, found), form, out)
     options.tell(found.aircraft)
     draw = partial(_over_stations, found) if stations.size > 1 else None
-    draw = draw or partial(_basin, found, aircraft, speeds, criterion)
+    draw = draw or partial(_basin, found, aircraft, speeds, asked)
     options.draw(draw, f"{aircraft.name}-survival", form, plot, plotless)
 
 
@@ -131,7 +138,7 @@ def _text(found: Survival, cases: dict[str, Any]) -> str:
     c = found.criterion
     head = (
         f"{found.aircraft.name}: the largest side impulse, right or left, after which it"
-        f" straightens out within {number(c.half_width)} m of the centre line and"
+        f" stays within {number(c.half_width)} m of the centre line and"
         f" {number(math.degrees(c.heading))} deg of heading"
     )
     columns = [name for name in cases if name != "island" or np.isfinite(cases[name]).any()]
@@ -172,7 +179,7 @@ def _data(found: Survival, stations: Any, speeds: Any) -> dict[str, Any]:
     }
 
 
-def _basin(found: Survival, aircraft: Aircraft, speeds: Any, criterion: dict[str, Any]) -> Any:
+def _basin(found: Survival, aircraft: Aircraft, speeds: Any, asked: dict[str, Any]) -> Any:
     """What becomes of it over speed and impulse, with the threshold of the table."""
     from groundroll.fates.basins import basin
     from groundroll.view.plots import INK
@@ -184,7 +191,7 @@ def _basin(found: Survival, aircraft: Aircraft, speeds: Any, criterion: dict[str
     x = ("speed", np.linspace(low * speeds[0], high * speeds[-1], _PICTURE))
     y = ("impulse", np.linspace(0.0, top, _PICTURE))
     with bar("kicks") as show:
-        chart = basin(aircraft, x, y, station=station, **criterion, progress=show)
+        chart = basin(aircraft, x, y, station=station, **asked, progress=show)
     ax = chart.plot()
     ax.plot(speeds, found.impulse[0], "o", color=INK, markersize=4, clip_on=False)
     return ax.figure

@@ -1,4 +1,4 @@
-"""Basins of attraction: from which starts, and after which kicks, an aircraft straightens out."""
+"""Basins: from which starts, and after which kicks, an aircraft stays on the runway."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from groundroll.base.errors import GroundrollError, unknown
 from groundroll.base.listing import Pictured
 from groundroll.base.progress import Progress, counted
 from groundroll.generated import PACKS, Quantity
-from groundroll.model.models import as_model
+from groundroll.model.models import ModelLike, as_model
 from groundroll.model.names import PARAMETERS, parameter_symbols, symbol
 from groundroll.model.shown import UnitsLike, as_units
 from groundroll.results.records import Column, Record, measured
 from groundroll.results.results import Result
 from groundroll.view.plots import INK, legend_above, plain, style
 
-from .fates import FATES, ByteArray, Criterion, fates
-from .kicks import check_tire, kick
+from .fates import FATES, ByteArray, Criterion, criterion_of, fates
+from .kicks import check_tire, kick, rolling
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -51,8 +51,11 @@ class Basin(Pictured, Result):
     fate : ndarray of int8, shape (ny, nx)
         An index of `groundroll.Survival.FATES`.
     when : ndarray, shape (ny, nx)
-        When the aircraft has straightened out, s; NaN where it does not.
+        When the aircraft has straightened out or stopped, s; NaN where it does not.
     aircraft : Aircraft
+    model : str or Model
+    inputs : mapping of str to ndarray
+        What acts on it, by symbol.
     station : float
         Where an impulse acts, m ahead of the CG.
     criterion : Criterion
@@ -66,16 +69,18 @@ class Basin(Pictured, Result):
     fate: ByteArray
     when: FloatArray
     aircraft: Aircraft
+    model: ModelLike
+    inputs: Mapping[str, FloatArray]
     station: float
     criterion: Criterion
 
     @property
     def share(self) -> float:
-        """Share of the points that straighten out."""
+        """Share of the points that stay on the runway."""
         return float(np.mean(self.fate == 0))
 
     def plot(self, ax: Axes | None = None, *, units: UnitsLike = None) -> Axes:
-        """Draw the fates, light where the aircraft straightens out.
+        """Draw the fates, light where the aircraft stays on the runway.
 
         Parameters
         ----------
@@ -108,7 +113,12 @@ class Basin(Pictured, Result):
                 ax.contour(x, y, (self.fate == 0) * 1.0, levels=[0.5], colors=INK, linewidths=0.9)
             look: Any = {"edgecolor": INK, "linewidth": 0.5}
             patches = [Patch(facecolor=_SHADES[k], label=FATES[k], **look) for k in present]
-            legend_above(ax, f"{plain(self.aircraft.name)}, nonlinear model", patches, 2)
+            legend_above(
+                ax,
+                f"{plain(self.aircraft.name)}, {plain(as_model(self.model).name)} model",
+                patches,
+                2,
+            )
             ax.set_xlabel(shown.label(of_x, _before(self.x_name)))
             ax.set_ylabel(shown.label(of_y, _before(self.y_name)))
             ax.grid(False)
@@ -118,11 +128,13 @@ class Basin(Pictured, Result):
         axes = {self.y_name: self.y, self.x_name: self.x}
         results = {s: measured((s,), v, _quantity(s)) for s, v in axes.items()}
         results["fate"] = Column(tuple(axes), self.fate, names=FATES)
-        results["when"] = Column(tuple(axes), self.when, "s", "straightened out after")
+        results["when"] = Column(tuple(axes), self.when, "s", "straightened out or stopped after")
         about: dict[str, Any] = {"x": self.x_name, "y": self.y_name, "station": self.station}
         about |= vars(self.criterion)
-        model = as_model("nonlinear")
-        return Record("basin", self.aircraft, model, tuple(axes), results, about=about)
+        model = as_model(self.model)
+        return Record(
+            "basin", self.aircraft, model, tuple(axes), results, given=self.inputs, about=about
+        )
 
     @classmethod
     def _of(cls, record: Record) -> Basin:
@@ -136,6 +148,8 @@ class Basin(Pictured, Result):
             fate=record["fate"].astype(np.int8),
             when=record["when"],
             aircraft=record.aircraft,
+            model=record.model.key,
+            inputs=dict(record.given),
             station=station,
             criterion=Criterion(**about),
         )
@@ -154,17 +168,19 @@ def basin(
     plane: Aircraft,
     x: tuple[str, Any],
     y: tuple[str, Any],
+    model: ModelLike = "nonlinear",
     *,
     station: float | str = 0.0,
     half_width: Any = Criterion.half_width,
     heading: Any = Criterion.heading,
     settled: float = Criterion.settled,
-    t: Any = Criterion.t,
+    t: Any = None,
     threads: int | None = None,
     executor: Executor | None = None,
     progress: Progress = None,
+    **values: Any,
 ) -> Basin:
-    """From which starts an aircraft straightens out, hands off, with the non-linear tire.
+    """From which starts an aircraft stays on the runway, hands off; see `groundroll.survival`.
 
     Parameters
     ----------
@@ -174,12 +190,16 @@ def basin(
     x, y : tuple of str and array
         ``"v0"`` (m/s), ``"r0"`` (rad/s), ``"impulse"`` (N s) or a parameter (``"speed"``), and
         increasing values in SI units.
+    model : str or Model
+        A model that knows heading and offset.
     station : float
         Where an impulse acts, m ahead of the CG.
     half_width, heading, settled, t : float
         See `groundroll.survival`.
     threads, executor, progress
         As for `groundroll.ensemble`.
+    **values : float or str
+        Parameters and inputs (``crosswind``) by symbol or full name, constant.
 
     Returns
     -------
@@ -191,7 +211,9 @@ def basin(
     GroundrollError
         For unknown names, values that do not increase, or a tire that is wrong at large slip.
     """
-    criterion = Criterion(half_width, heading, settled, t)
+    model = as_model(model)
+    plane, inputs = rolling(plane, model, values, "basin")
+    criterion = criterion_of(model, half_width, heading, settled, t)
     axes = dict((_axis("x", x), _axis("y", y)))
     if len(axes) != 2:
         raise GroundrollError("x and y are the same; a basin needs two axes")
@@ -203,15 +225,27 @@ def basin(
     grid = {x_name: x_values[None, :], y_name: y_values[:, None]}
     varied = {name: value for name, value in grid.items() if name not in _STARTS}
     aircraft = plane.replace(**varied)
-    check_tire(aircraft)
+    check_tire(aircraft, model)
     place = finite("station", station, "m")
     v, r = _start(grid, aircraft, place)
     shape = (y_values.size, x_values.size)
     starts = np.broadcast_to(v, shape), np.broadcast_to(r, shape)
     options = {"threads": threads, "executor": executor}
     with counted(progress, "kicks", x_values.size * y_values.size) as done:
-        fate, when = fates(aircraft, *starts, criterion, done.add, **options)
-    return Basin(x_name, y_name, x_values, y_values, fate, when, plane, float(place), criterion)
+        fate, when = fates(aircraft, *starts, criterion, done.add, model, inputs, **options)
+    return Basin(
+        x_name=x_name,
+        y_name=y_name,
+        x=x_values,
+        y=y_values,
+        fate=fate,
+        when=when,
+        aircraft=plane,
+        model=model.key,
+        inputs=inputs,
+        station=float(place),
+        criterion=criterion,
+    )
 
 
 def _start(

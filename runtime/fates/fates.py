@@ -1,12 +1,15 @@
-"""What becomes of an aircraft that starts off straight running: does it straighten out?"""
+"""What becomes of an aircraft that starts off straight running: does it stay on the runway?
+
+Where the speed is held it does if it straightens out, where the speed falls if it comes to a stop.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +17,7 @@ import numpy.typing as npt
 from groundroll.aircraft.aircraft import Aircraft
 from groundroll.base.arrays import FloatArray, common_shape, finite, positive
 from groundroll.base.errors import GroundrollError
+from groundroll.model.models import Model, ModelLike, as_model
 from groundroll.motion.chunks import cut, piece, run
 from groundroll.runs.ensemble_result import Ensemble
 from groundroll.runs.ensembles import ensemble
@@ -21,9 +25,19 @@ from groundroll.runs.ensembles import ensemble
 ByteArray = npt.NDArray[np.int8]
 
 #: What becomes of a kicked aircraft, in the order of the numbers in `Survival` and `Basin`.
-FATES = ("straightens out", "turns too far", "leaves the runway", "still moving", "not computed")
+FATES = (
+    "stays on the runway",
+    "turns too far",
+    "leaves the runway",
+    "still moving",
+    "not computed",
+)
 OUT, _TURNS, _LEAVES, _MOVING, _UNKNOWN = range(len(FATES))
 
+#: Event at which a roll is over, and time in which it must be where the speed falls, s.
+_STOPPED, _ROLL = "stopped", 300.0
+#: What a model must know of its states to tell where the aircraft goes.
+_ROLES = ("lateral_velocity", "yaw_rate", "heading", "offset")
 #: Samples over a run, in which straightening out is sought, and runs that are sampled at once.
 _SAMPLES, _RUNS = 401, 16_384
 #: Share of a limit that a peak between samples may pass only from.
@@ -37,12 +51,12 @@ class Criterion:
     Attributes
     ----------
     half_width : float
-        m; the CG stays within it until the aircraft has straightened out.
+        m; the CG stays within it until the aircraft has straightened out or stopped.
     heading : float
         rad; the heading stays within it.
     settled : float
         The aircraft has straightened out when lateral velocity and yaw rate have both fallen for
-        good to this share of their largest values.
+        good to this share of their largest values. Where the speed falls it must stop instead.
     t : float
         s, in which it must.
     """
@@ -59,15 +73,45 @@ class Criterion:
             raise GroundrollError(f"settled must be below 1, not {self.settled!r}")
 
 
+def stops(model: Model) -> bool:
+    """Whether a roll in a model comes to an end: its speed falls, and it knows when it is over."""
+    return any(event.name == _STOPPED for event in model.events)
+
+
+def criterion_of(model: Model, half_width: Any, heading: Any, settled: float, t: Any) -> Criterion:
+    """The criterion for a model, with its time if none is given."""
+    usual = _ROLL if stops(model) else Criterion.t
+    return Criterion(half_width, heading, settled, usual if t is None else t)
+
+
+def needed(model: Model) -> tuple[str, ...]:
+    """Symbols of lateral velocity, yaw rate, heading and offset.
+
+    Raises
+    ------
+    GroundrollError
+        If the model does not say which of its states they are.
+    """
+    missing = [role for role in _ROLES if model.roles.get(role) not in model.states]
+    if missing:
+        raise GroundrollError(
+            f"what becomes of an aircraft needs {' and '.join(missing).replace('_', ' ')}, and the"
+            f" model {model.name} has no state of that role"
+        )
+    return tuple(model.roles[role] for role in _ROLES)
+
+
 def fates(
     plane: Aircraft,
     v: Any,
     r: Any,
     criterion: Criterion,
     told: Callable[[int], object] = lambda runs: None,
+    model: ModelLike = "nonlinear",
+    inputs: Mapping[str, FloatArray] | None = None,
     **options: Any,
 ) -> tuple[ByteArray, FloatArray]:
-    """What becomes of aircraft that start with v and r, and when they have straightened out.
+    """What becomes of aircraft that start with v and r, and when it is over.
 
     Parameters
     ----------
@@ -79,6 +123,9 @@ def fates(
         What counts as surviving.
     told : callable
         Called with every number of runs that are done.
+    model : str or Model
+    inputs : mapping of str to ndarray
+        Constant inputs by symbol; they broadcast with v and r.
     **options
         ``threads`` and ``executor`` of `groundroll.ensemble`.
 
@@ -87,46 +134,82 @@ def fates(
     fate : ndarray of int8
         Index of `FATES`.
     when : ndarray
-        s; NaN for those that do not straighten out in time.
+        When it has straightened out or stopped, s; NaN for those that do not in time.
     """
-    start = {"v": finite("v", v, "m/s"), "r": finite("r", r, "rad/s")}
-    shape = common_shape({**plane.given, **start})
+    model = as_model(model)
+    names = needed(model)
+    start = {f"{names[0]}0": finite("v", v, "m/s"), f"{names[1]}0": finite("r", r, "rad/s")}
+    values = {**start, **(inputs or {})}
+    shape = common_shape({**plane.given, **values})
     total = math.prod(shape)
     fate, when = np.empty(total, np.int8), np.empty(total)
 
     def task(part: range) -> tuple[Aircraft, dict[str, FloatArray]]:
         given = {s: piece(value, shape, part) for s, value in plane.given.items() if value.ndim}
-        values = {f"{s}0": piece(value, shape, part) for s, value in start.items()}
-        return plane.replace(**given), values
+        return plane.replace(**given), {s: piece(x, shape, part) for s, x in values.items()}
 
     def keep(part: range, found: tuple[ByteArray, FloatArray]) -> None:
         where = slice(part.start, part.stop)
         fate[where], when[where] = found
 
-    run(partial(_judged, criterion, options), cut(total, _RUNS), task, keep, told)
+    judged = partial(_stopped if stops(model) else _straightened, criterion, model, options)
+    run(judged, cut(total, _RUNS), task, keep, told)
     return fate.reshape(shape), when.reshape(shape)
 
 
-def _judged(
-    criterion: Criterion, options: dict[str, Any], started: tuple[Aircraft, dict[str, Any]]
+Started: TypeAlias = tuple[Aircraft, dict[str, Any]]
+
+
+def _straightened(
+    criterion: Criterion, model: Model, options: dict[str, Any], started: Started
 ) -> tuple[ByteArray, FloatArray]:
-    plane, start = started
+    plane, values = started
+    v, r, psi, Y = needed(model)
     ens = ensemble(
         plane,
         criterion.t,
+        model,
         at=np.linspace(0.0, criterion.t, _SAMPLES),
-        names=("v", "r"),
-        extremes=("v", "r"),
-        limits={"psi": criterion.heading, "Y": criterion.half_width},
-        within={"psi": criterion.heading},
-        **start,
+        names=(v, r),
+        extremes=(v, r),
+        limits={psi: criterion.heading, Y: criterion.half_width},
+        within={psi: criterion.heading},
+        **values,
         **options,
     )
-    when = np.maximum(*(_settled(ens, name, criterion.settled) for name in ("v", "r")))
-    psi, Y = ens.first["psi"], ens.first["Y"]
+    when = np.maximum(*(_settled(ens, name, criterion.settled) for name in (v, r)))
+    return _judged(ens, ens.first[psi], ens.first[Y], when)
+
+
+def _stopped(
+    criterion: Criterion, model: Model, options: dict[str, Any], started: Started
+) -> tuple[ByteArray, FloatArray]:
+    plane, values = started
+    v, _, psi, Y = needed(model)
+    limits = {psi: criterion.heading, Y: criterion.half_width}
+    ens = ensemble(
+        plane,
+        criterion.t,
+        model,
+        names=(v,),
+        limits=limits,
+        within=limits,
+        until=_STOPPED,
+        **values,
+        **options,
+    )
+    stopped = ens.events[_STOPPED]
+    when = np.where(np.isfinite(stopped), stopped, np.nan)
+    return _judged(ens, ens.first[psi], ens.first[Y], when)
+
+
+def _judged(
+    ens: Ensemble, psi: FloatArray, Y: FloatArray, when: FloatArray
+) -> tuple[ByteArray, FloatArray]:
+    """Fates by the times at which limits are passed, and at which it is over."""
     leaves = np.isfinite(Y) & (np.nan_to_num(when, nan=np.inf) >= Y)
     turns = np.isfinite(psi) & (~leaves | (psi <= Y))
-    lost = ~ens.ok & ~np.isfinite(psi)
+    lost = ~ens.ok & ~np.isfinite(psi) & ~np.isfinite(Y)
     fate = np.select(
         [lost, turns, leaves, np.isnan(when)], [_UNKNOWN, _TURNS, _LEAVES, _MOVING], OUT
     )

@@ -2,13 +2,14 @@
 
 A linear model says whether a small disturbance dies out, not how large a one may be. Here a side
 impulse changes lateral velocity and yaw rate at once; the aircraft rolls on, hands off, and
-survives if it straightens out before it leaves the runway or turns too far.
+survives if it straightens out, or in a model whose speed falls comes to a stop, before it leaves
+the runway or turns too far.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import Any
@@ -18,6 +19,7 @@ import numpy as np
 from groundroll.aircraft.aircraft import Aircraft, of_aircraft
 from groundroll.aircraft.parameters import parameters_of
 from groundroll.aircraft.validity import extrapolated
+from groundroll.aircraft.values import given
 from groundroll.base.arrays import FloatArray, broadcast, finite
 from groundroll.base.errors import GroundrollError
 from groundroll.base.listing import Listed, span
@@ -25,11 +27,12 @@ from groundroll.base.progress import Count, Progress, counted
 from groundroll.generated import PACKS, build
 from groundroll.linear.linearization import linearize
 from groundroll.model.evaluate import elementwise
-from groundroll.model.models import as_model
+from groundroll.model.models import Model, ModelLike, as_model
+from groundroll.model.names import PARAMETERS
 from groundroll.results.records import Column, Record, measured, run_dims
 from groundroll.results.results import Result
 
-from .fates import FATES, OUT, ByteArray, Criterion, fates
+from .fates import FATES, OUT, ByteArray, Criterion, criterion_of, fates, needed
 
 #: Impulses that are tried before bisection, and in each of its rounds.
 _SCAN, _SECTIONS = 64, 15
@@ -64,6 +67,10 @@ class Survival(Listed, Result):
     ----------
     aircraft : Aircraft
         Who is kicked.
+    model : str or Model
+        In which model it rolls.
+    inputs : mapping of str to ndarray
+        What acts on it beside the kick, by symbol.
     station : ndarray
         Where, m ahead of the CG.
     criterion : Criterion
@@ -82,6 +89,8 @@ class Survival(Listed, Result):
     """
 
     aircraft: Aircraft
+    model: ModelLike
+    inputs: Mapping[str, FloatArray]
     station: FloatArray
     criterion: Criterion
     impulse: FloatArray
@@ -98,20 +107,30 @@ class Survival(Listed, Result):
         runs = run_dims(self.impulse.shape)
         results = {name: measured(runs, getattr(self, name), q) for name, q in _QUANTITIES.items()}
         results["fate"] = Column(runs, self.fate, names=FATES)
-        about = vars(self.criterion)
-        return Record("survival", self.aircraft, as_model("nonlinear"), runs, results, about=about)
+        about, model = vars(self.criterion), as_model(self.model)
+        return Record(
+            "survival", self.aircraft, model, runs, results, given=self.inputs, about=about
+        )
 
     @classmethod
     def _of(cls, record: Record) -> Survival:
         results = {name: record[name] for name in _QUANTITIES}
         criterion, fate = Criterion(**record.about), record["fate"].astype(np.int8)
-        return cls(record.aircraft, criterion=criterion, fate=fate, **results)
+        return cls(
+            record.aircraft,
+            record.model.key,
+            dict(record.given),
+            criterion=criterion,
+            fate=fate,
+            **results,
+        )
 
     def _title(self) -> str:
-        c, cases = self.criterion, self.impulse.size
+        c, n = self.criterion, self.impulse.size
         return (
-            f"Survival of {self.aircraft.name!r} on ±{c.half_width:g} m, heading within"
-            f" {math.degrees(c.heading):g}°: {cases} {'case' if cases == 1 else 'cases'}"
+            f"Survival of {self.aircraft.name!r}, {as_model(self.model).name} model, on"
+            f" ±{c.half_width:g} m, heading within {math.degrees(c.heading):g}°:"
+            f" {n} {'case' if n == 1 else 'cases'}"
         )
 
     def _rows(self) -> Iterable[Sequence[str]]:
@@ -132,19 +151,24 @@ class Survival(Listed, Result):
 @of_aircraft
 def survival(
     plane: Aircraft,
+    model: ModelLike = "nonlinear",
     *,
     station: Any = 0.0,
     half_width: Any = Criterion.half_width,
     heading: Any = Criterion.heading,
     settled: float = Criterion.settled,
-    t: Any = Criterion.t,
-    speed: Any = None,
+    t: Any = None,
     largest: Any = None,
     threads: int | None = None,
     executor: Executor | None = None,
     progress: Progress = None,
+    **values: Any,
 ) -> Survival:
-    """The largest side impulse that an aircraft survives, hands off, with the non-linear tire.
+    """The largest side impulse that an aircraft survives, hands off.
+
+    In a model whose speed is held, the thesis's, it survives if it straightens out within the
+    runway; in one whose speed falls (``rollout``, ``landing_roll``), if it stays there until it
+    has stopped.
 
     Right and left are the same by symmetry. The impulses that are survived need not be all up to
     a largest one: every one below `Survival.impulse` is (as far as 64 of them tell), and
@@ -155,12 +179,12 @@ def survival(
     plane : Aircraft
         The aircraft, with a tire that is right at large slip angles (``brott-physical``); its
         parameters may be arrays.
+    model : str or Model
+        A model that knows heading and offset.
     station : float or array
         Where the impulse acts, m ahead of the CG; the tail is at minus `b`.
     half_width, heading, settled, t : float
-        See `Criterion`.
-    speed : float or array, optional
-        Forward speed, m/s; default the aircraft's own.
+        See `Criterion`. The time is 20 s, and 300 s in a model whose speed falls.
     largest : float or array, optional
         Largest impulse tried, N s. Default: one that changes v, or r times the arm of the tail,
         by the forward speed.
@@ -169,6 +193,9 @@ def survival(
     progress : callable or bool, optional
         Called with the numbers of runs done and in all; the latter is the most that there may
         be, and falls while bisection goes on. True draws a bar on a terminal.
+    **values : float, array or str
+        Parameters (``speed``) and inputs (``crosswind``, ``pedal``, ``brake_left``) by symbol or
+        full name, constant.
 
     Returns
     -------
@@ -178,22 +205,26 @@ def survival(
     Raises
     ------
     GroundrollError
-        For values that cannot be, or a tire whose force changes its sign at a large slip angle.
+        For values that cannot be, a model without heading or offset, or a tire whose force changes
+        its sign at a large slip angle.
     """
-    aircraft = plane if speed is None else plane.replace(u=speed)
-    criterion = Criterion(half_width, heading, settled, t)
-    check_tire(aircraft)
-    own = {s: aircraft[s] for s in ("u", "b", "m", "Izz")}
+    model = as_model(model)
+    aircraft, inputs = rolling(plane, model, values, "survival")
+    criterion = criterion_of(model, half_width, heading, settled, t)
+    check_tire(aircraft, model)
+    own = {s: aircraft[s] for s in ("u", "b", "m", "Izz") if s != "b" or s in aircraft}
     place = finite("station", station, "m")
-    arrays, shape = broadcast({**aircraft.given, **own, "station": place})
+    arrays, shape = broadcast({**aircraft.given, **own, **inputs, "station": place})
     unit = kick(arrays["station"], 1.0, arrays)
     top = _top(arrays, unit) if largest is None else _positive(largest, shape)
     options = {"threads": threads, "executor": executor}
     with counted(progress, "kicks") as done:
-        search = _Search(aircraft, shape, unit, criterion, options, done)
+        search = _Search(aircraft, model, inputs, shape, unit, criterion, options, done)
         low, fate, island = search.threshold(top)
     return Survival(
         aircraft=aircraft,
+        model=model.key,
+        inputs=inputs,
         station=np.array(arrays["station"]),
         criterion=criterion,
         impulse=low,
@@ -201,8 +232,25 @@ def survival(
         yaw_rate_change=low * unit[1],
         fate=fate,
         island=island,
-        decay_rate=_decay_rate(aircraft, shape),
+        decay_rate=np.broadcast_to(linearize(aircraft, model).decay_rate, shape),
     )
+
+
+def rolling(
+    plane: Aircraft, model: Model, values: Mapping[str, Any], where: str
+) -> tuple[Aircraft, dict[str, FloatArray]]:
+    """The aircraft with what a call changes, and the constant inputs; it starts straight."""
+    needed(model)
+    sorted_out = given(plane, model, values, where)
+    aircraft, start = sorted_out.aircraft, dict(sorted_out.states)
+    if (speed := model.roles.get("speed")) in start and speed in PARAMETERS:
+        aircraft = aircraft.replace(**{speed: start.pop(speed)})
+    if start:
+        raise GroundrollError(
+            f"{where} starts straight, at rest on its legs; it cannot be given"
+            f" {', '.join(f'{s}0' for s in start)}"
+        )
+    return aircraft, dict(sorted_out.inputs)
 
 
 @dataclass(frozen=True)
@@ -210,6 +258,8 @@ class _Search:
     """The threshold of every case, with `unit` the change of v and r per impulse."""
 
     aircraft: Aircraft
+    model: Model
+    inputs: Mapping[str, FloatArray]
     shape: tuple[int, ...]
     unit: tuple[FloatArray, FloatArray]
     criterion: Criterion
@@ -243,7 +293,16 @@ class _Search:
 
     def _fates(self, impulses: FloatArray) -> ByteArray:
         v, r = (impulses * each for each in self.unit)
-        return fates(self.aircraft, v, r, self.criterion, self.done.add, **self.options)[0]
+        return fates(
+            self.aircraft,
+            v,
+            r,
+            self.criterion,
+            self.done.add,
+            self.model,
+            self.inputs,
+            **self.options,
+        )[0]
 
 
 def _bracket(
@@ -274,7 +333,7 @@ def kick(station: FloatArray, impulse: Any, plane: Any) -> tuple[FloatArray, Flo
 def _top(plane: dict[str, FloatArray], unit: tuple[FloatArray, FloatArray]) -> FloatArray:
     """The impulse that changes v, or the sideways velocity of the tail by turning, by u."""
     dv, dr = unit
-    faster = np.maximum(np.abs(dv), np.abs(dr) * plane["b"])
+    faster = np.maximum(np.abs(dv), np.abs(dr) * plane["b"]) if "b" in plane else np.abs(dv)
     return np.asarray(plane["u"] / faster)
 
 
@@ -286,11 +345,13 @@ def _positive(largest: Any, shape: tuple[int, ...]) -> FloatArray:
     return arrays["largest"]
 
 
-def check_tire(plane: Aircraft) -> None:
-    """Refuse a tire whose force pulls the wrong way at a large slip angle."""
-    parameters_of(plane, as_model("nonlinear"))  # says more of a tire that cannot be at all
-    needed = build("tire_force").name_in()
-    others = {s: plane[s][..., None] for s in needed if s != "alpha"}
+def check_tire(plane: Aircraft, model: Model) -> None:
+    """Refuse a tire whose force pulls the wrong way at a large slip angle, if the model has it."""
+    parameters_of(plane, model)  # says more of a tire that cannot be at all
+    of_the_tire = build("tire_force").name_in()
+    if not {"B5", "C5"} <= set(model.parameters):
+        return
+    others = {s: plane[s][..., None] for s in of_the_tire if s != "alpha"}
     slip = np.linspace(0.0, _LARGE_SLIP, 171)[1:]
     force = elementwise("tire_force", {**others, "alpha": slip})["F_y"]
     if (force <= 0).any():
@@ -299,7 +360,3 @@ def check_tire(plane: Aircraft) -> None:
             f"the tire of {plane.name} reverses its force at a slip angle of {first:.0f}°: a kick"
             " needs a tire that is right at large slip, such as that of brott-physical"
         )
-
-
-def _decay_rate(plane: Aircraft, shape: tuple[int, ...]) -> FloatArray:
-    return np.broadcast_to(linearize(plane, "nonlinear").decay_rate, shape)
