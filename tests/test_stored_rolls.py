@@ -14,7 +14,7 @@ from rolling import at_rest, parameters
 
 import groundroll as gr
 from groundroll.derive.emit.own import derive_file
-from groundroll.models import Model, as_model
+from groundroll.model.models import Model, as_model
 
 HERE = Path(__file__).parent
 #: Friction fades below this near rest, m/s. The aircraft that stands in the wind creeps by 0.03 deg

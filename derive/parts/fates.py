@@ -13,7 +13,7 @@ from groundroll.derive.core.part import Event, Felt, Force, Part
 from groundroll.derive.core.quantity import Constant, Parameter, Quantity
 
 from .airframe import span
-from .gear import z_main
+from .gear import a_third, z_main, z_third
 from .quantities import a
 from .stations import propeller_diameter, x_propeller, x_tip, z_thrust, z_tip
 
@@ -30,13 +30,13 @@ V_ground = Quantity("V_ground", "ground_speed", "m/s", "of the CG over the groun
 above_stop = Quantity("above_stop", "speed_above_stop", "m/s", "speed above that of a stop")
 beyond_edge = Quantity("beyond_edge", "beyond_edge", "m", "the CG beyond an edge of the runway")
 beyond_loop = Quantity("beyond_loop", "beyond_loop", "rad", "the heading beyond its limit")
-ahead = Quantity("ahead", "main_wheels_ahead", "m", "main wheels ahead of the CG over the ground")
+ahead = Quantity("ahead", "wheels_ahead", "m", "foremost wheels ahead of the CG over the ground")
 height = Quantity("height", "height", "m", "above the runway")
 
 STOPPED = Event("stopped", above_stop, False, "it has stopped")
 RAN_OFF = Event("ran_off", beyond_edge, True, "the CG leaves the runway at its side")
 GROUND_LOOP = Event("ground_loop", beyond_loop, True, "the heading goes beyond its limit")
-NOSED_OVER = Event("nosed_over", ahead, False, "the CG goes ahead of the main wheels")
+NOSED_OVER = Event("nosed_over", ahead, False, "the CG goes ahead of all wheels")
 STRUCK = Event("struck", height, False, "it touches the ground")
 
 
@@ -57,16 +57,17 @@ def path() -> Part:
 
 
 def support() -> Part:
-    """How far the main wheels are ahead of the CG in the attitude in which it rolls.
+    """How far the foremost wheels are ahead of the CG in the attitude in which it rolls.
 
-    A taildragger whose CG has come ahead of its main wheels goes over. A tricycle's always is, and
-    its nose wheel holds it.
+    An aircraft whose CG has come ahead of all its wheels goes over: a taildragger over its main
+    wheels, a tricycle over its nose wheel.
     """
 
     def law(felt: Felt) -> Force:
         pitched = i.dot(felt.down)
         along = (i - pitched * felt.down) / sp.sqrt(1 - pitched**2)
-        chain = (Equation(ahead, felt.position.dot(along), "geometry"),)
+        third = (a_third * i + z_third * k).dot(along)
+        chain = (Equation(ahead, sp.Max(felt.position.dot(along), third), "geometry"),)
         return Force(chain=chain, shown=(), events=(NOSED_OVER,))
 
     return Part("support", a * i + z_main * k, law, suffix="", kind="")

@@ -30,6 +30,11 @@ PUSH = tuple(
 LIFTED = Event("wheel_lifted", depth, False, "a wheel leaves the ground")
 
 
+def unloaded(load: Quantity) -> Event:
+    """The same of a level body, whose wheels have no depth: nothing is left to carry."""
+    return Event("wheel_lifted", load, False, "a wheel carries nothing any more")
+
+
 @dataclass(frozen=True)
 class Turned:
     """How a wheel is turned about its leg.
@@ -129,7 +134,7 @@ def _law(leg: Leg, tire: Tire, friction: Chain, turned: Turned, slip: Slip) -> L
             rates={**turned.rates, **slip.rates},
             shown=(felt.load, alpha, F_x, F_y),
             at=foot.at,
-            events=(LIFTED,) if foot.chain else (),
+            events=(LIFTED if foot.chain else unloaded(felt.load),),
         )
 
     return law

@@ -15,6 +15,7 @@ from groundroll.generated import PACKS
 from groundroll.model.names import QUANTITIES, parameter_symbols
 
 from .parameters import NotGivenError
+from .surfaces import doubts
 
 if TYPE_CHECKING:
     from .aircraft import Aircraft
@@ -60,7 +61,8 @@ def contradictions(plane: Aircraft) -> tuple[Contradiction, ...]:
     """What does not agree in the data of an aircraft.
 
     Lengths given twice (a + b and L, arms and stations), a CG outside its limits, weight
-    fractions and wheel loads that do not add up, and anything that follows but cannot be. A
+    fractions and wheel loads that do not add up, a fin or tailplane that counts twice, and
+    anything that follows but cannot be. A
     stiffness or weight fraction that is given although it would follow overrides it: that is a
     choice, and no contradiction.
 
@@ -76,6 +78,7 @@ def contradictions(plane: Aircraft) -> tuple[Contradiction, ...]:
         *_tail(plane),
         *_nose_wheel(plane),
         *_loads(plane),
+        *(Contradiction(*doubt) for doubt in doubts(plane.given)),
     )
     return found or tuple(_impossible(plane))
 

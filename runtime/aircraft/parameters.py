@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from groundroll.model.evaluate import elementwise
 from groundroll.model.models import Model
 from groundroll.model.names import PARAMETERS
 
+from .surfaces import doubts
 from .validity import refuse_impossible_tires
 
 if TYPE_CHECKING:
@@ -44,8 +45,16 @@ def parameters_of(plane: Aircraft, model: Model) -> dict[str, FloatArray]:
             missing.append(str(problem))
     if missing:
         raise NotGivenError(_lacking(plane, model, missing), missing[0])
+    for doubt in doubts(plane.given, found):
+        raise GroundrollError(
+            f"aircraft {plane.name}: {doubt.symbol}: found {doubt.found}; expected {doubt.expected}"
+        )
     refuse_impossible_tires(plane, found)
     return found
+
+
+#: How messages of what is missing say what would follow: `runtime.aircraft` writes them.
+_LINK, _FOLLOWS = ", and ", " follows from it"
 
 
 class _Missing(Exception):
@@ -109,7 +118,25 @@ def _lacking(plane: Aircraft, model: Model, missing: list[str]) -> str:
     head = f"aircraft {plane.name} lacks what the model {model.name} needs"
     if len(missing) == 1:
         return f"{head}: {missing[0]}"
-    return "\n  ".join([f"{head}:", *dict.fromkeys(missing)])
+    return "\n  ".join([f"{head}:", *_grouped(missing)])
+
+
+#: Most of what follows from something missing that a message names.
+_NAMED = 3
+
+
+def _grouped(missing: list[str]) -> Iterator[str]:
+    """What is missing, each once, with what follows from it."""
+    wanted: dict[str, list[str]] = {}
+    for text in missing:
+        root, *links = text.split(_LINK)
+        names = [link.removesuffix(_FOLLOWS) for link in links[-1:]]
+        wanted[root] = [*wanted.get(root, []), *names]
+    for root, names in wanted.items():
+        first, more = dict.fromkeys(names[:_NAMED]), len(names) - _NAMED
+        verb = "follows" if len(names) == 1 else "follow"
+        others = f" and {more} more" if more > 0 else ""
+        yield f"{root}, and {', '.join(first)}{others} {verb} from it" if names else root
 
 
 def stacked(values: Mapping[str, FloatArray]) -> FloatArray:

@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from groundroll.base.arrays import FloatArray, finite, physical_of
 from groundroll.base.errors import GroundrollError, unknown
 from groundroll.model.models import Model
@@ -152,4 +154,25 @@ def _input(
         if over_time:
             return value
         raise GroundrollError(f"{names['input', s]} must be constant here, not a function of time")
-    return finite(names["input", s], value, model.quantities[s].unit)
+    array = finite(names["input", s], value, model.quantities[s].unit)
+    refuse_beyond(model, s, array)
+    return array
+
+
+def refuse_beyond(model: Model, s: str, value: FloatArray, rounding: float = 1e-9) -> None:
+    """Refuse what an input of a model cannot be, such as a brake that is more than locked.
+
+    Raises
+    ------
+    GroundrollError
+        If a value is beyond the input's range by more than a rounding.
+    """
+    low, high = model.ranges.get(s, (-np.inf, np.inf))
+    beyond = np.maximum(low - value, value - high)
+    if beyond.max() > rounding:
+        q = model.quantities[s]
+        span = f"from {low:g} to {high:g}" if np.isfinite(high) else f"at least {low:g}"
+        unit = "" if q.unit == "1" else f" {q.unit}"
+        label = q.name if q.name == s else f"{q.name} ({s})"
+        worst = value.ravel()[beyond.argmax()]
+        raise GroundrollError(f"{label} must be {span}{unit}, but it is {worst:g}: {q.meaning}")

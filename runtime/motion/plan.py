@@ -12,7 +12,7 @@ import numpy as np
 
 from groundroll.aircraft.aircraft import Aircraft
 from groundroll.aircraft.parameters import parameters_of
-from groundroll.aircraft.values import Given
+from groundroll.aircraft.values import Given, refuse_beyond
 from groundroll.base.arrays import FloatArray, common_shape, finite, positive
 from groundroll.base.errors import GroundrollError
 from groundroll.model.models import Model
@@ -26,6 +26,8 @@ from .signals import Polynomials, as_signal
 TOLERANCES = (1e-11, 1e-3)
 #: Bytes that the results of one chunk may take, and the fewest trajectories in one.
 _CHUNK_BYTES, _FEWEST = 2**26, 32
+#: Times at which the range of a signal is looked at, and by how much a fitted one may pass it.
+_LOOKS, _FITTED = 65, 1e-6
 
 
 @dataclass(frozen=True)
@@ -135,6 +137,9 @@ def planned(given: Given, model: Model, t: Any, tol: Any, at: FloatArray) -> Pla
         for s, signal in over_time.items()
         if signal is not None
     }
+    for s in model.ranges:
+        if s in signals:
+            refuse_beyond(model, s, signals[s](_looked_at(signals[s], duration)), _FITTED)
     inputs = {s: given.inputs.get(s, np.zeros(())) for s in model.inputs if s not in signals}
     start = start_of(given.aircraft, model, given.states)
     shape = common_shape(
@@ -149,6 +154,12 @@ def planned(given: Given, model: Model, t: Any, tol: Any, at: FloatArray) -> Pla
     if 0 in shape:
         raise GroundrollError(f"there is nothing to simulate: the arrays broadcast to {shape}")
     return Plan(given.aircraft, model, shape, start, inputs, signals, duration, tolerance(tol), at)
+
+
+def _looked_at(signal: Polynomials, duration: float) -> FloatArray:
+    """Times at which a signal's range is looked at: many, and where its polynomials begin."""
+    starts = [start for start in signal.breaks[:_LOOKS] if 0 <= start <= duration]
+    return np.union1d(np.linspace(0.0, duration, _LOOKS), starts)
 
 
 def tolerance(tol: Any) -> float:

@@ -19,6 +19,10 @@ from groundroll.model.names import PARAMETERS
 _LIFTED = "wheel_lifted_"
 #: A guess of how far wheels sink in, m; steps of differences; largest step and how many.
 SUNK, _H, _STEP, _ROUNDS = 0.05, 1e-6, 0.05, 100
+_STIFFER = (
+    "give stiffer legs (main_leg_stiffness, third_leg_stiffness), or how far they give way at rest"
+    " (main_leg_deflection, third_leg_deflection)"
+)
 #: A speed so small that nothing drags, m/s, at which slip angles are defined.
 CREEP = 1e-6
 
@@ -28,17 +32,27 @@ def start_of(
 ) -> dict[str, FloatArray]:
     """Initial value of every state: as given, the aircraft's own speed, at rest, or zero.
 
-    A body on legs starts at the depth and pitch at which it would rest on them without air.
+    A body on legs starts at the depth and pitch at which it would rest on them without air; if its
+    pitch is given, at that depth.
     """
     start = {s: given[s] if s in given else np.zeros(()) for s in model.states}
     speed = model.roles.get("speed")
     if speed in model.states and speed not in given and speed in PARAMETERS and speed in plane:
         start[speed] = plane[speed]
     depth = model.roles.get("depth")
-    if depth in model.states and not {depth, "theta"} & set(given):
-        start[depth], start["theta"] = _at_rest(plane, model, depth)
+    if depth not in model.states:
+        return start
+    if depth not in given:
+        start[depth], pitch = _at_rest(plane, model, depth)
+        start["theta"] = given.get("theta", pitch)
         if "w" not in given:
             start["w"] = _along_the_runway(plane, model, start, depth)
+    elif (start[depth] > 0).any():
+        raise GroundrollError(
+            f"{model.quantities[depth].name} ({depth}0) must not be positive, but it is"
+            f" {float(start[depth].max()):g} m: z is down, and the CG starts above the runway;"
+            " without it the aircraft starts at rest on its legs"
+        )
     return start
 
 
@@ -97,10 +111,38 @@ def _at_rest(plane: Aircraft, model: Model, depth: str) -> tuple[FloatArray, Flo
             break
     if not np.isfinite(at).all() or (np.abs(rates(at)) > 1e-6).any():
         raise GroundrollError(
-            f"aircraft {plane.name} finds no rest on its legs: look at the stations of its wheels,"
-            " and at what its legs carry"
+            f"aircraft {plane.name} finds no rest on its legs: look at the stations and depths of"
+            f" its wheels; or they cannot carry it: {_STIFFER}"
         )
+    _refuse_what_cannot_stand(plane, model, at, depths(at))
     return at[0].reshape(shape), at[1].reshape(shape)
+
+
+def _refuse_what_cannot_stand(
+    plane: Aircraft, model: Model, at: FloatArray, depths: FloatArray
+) -> None:
+    """Refuse a rest with a wheel in the air, or on legs too weak to keep the CG up.
+
+    A leg that gives way by more than the height that is left above it has failed.
+    """
+    wheels = [event.name.removeprefix(_LIFTED) for event in model.events if lifts(event)]
+    height, deepest = -at[0], depths.max(axis=1, initial=-np.inf)
+    if (bad := deepest > height).any():
+        n = int(bad.argmax())
+        wheel = wheels[int(depths[n].argmax())]
+        raise GroundrollError(
+            f"the legs of aircraft {plane.name} cannot carry it: at rest the {wheel} wheel would be"
+            f" {deepest[n]:.3g} m under the runway and the CG {height[n]:.3g} m above it;"
+            f" {_STIFFER}"
+        )
+    if (bad := (depths <= 0).any(axis=1)).any():
+        n = int(bad.argmax())
+        wheel = wheels[int(depths[n].argmin())]
+        raise GroundrollError(
+            f"aircraft {plane.name} does not stand on all its wheels: at rest the {wheel} wheel is"
+            f" {-depths[n].min():.3g} m above the runway; the CG must be between the main wheels"
+            " and the third wheel: look at their stations and depths, and at their legs"
+        )
 
 
 def _step(f: object, at: FloatArray, value: FloatArray) -> FloatArray:
