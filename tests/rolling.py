@@ -13,22 +13,18 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-import sympy as sp
 from oracle_roll import Signal, value
 from oracle_roll.signals import corners
 from scipy.integrate import solve_ivp
 
-from groundroll.derive.core.equation import Chain, Equation
 from groundroll.derive.core.model import Derivation, Model
-from groundroll.derive.core.quantity import Quantity
 from groundroll.derive.emit import pack as emitted
 from groundroll.derive.emit.catalogue import Pack
 from groundroll.derive.models.landing_roll import LANDING_ROLL
 from groundroll.derive.models.rolling import wheels
-from groundroll.derive.parts.friction import Tire, alpha, grip, radt
+from groundroll.derive.parts.friction import Tire, alpha, radt
 from groundroll.derive.parts.gear import surface
 from groundroll.derive.parts.third_wheel import third_wheel
-from groundroll.derive.parts.tires import mu
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -102,24 +98,6 @@ def on_jsbsim_tires() -> Compiled:
         lambda name: radt(surface(name), measure=alpha),
         radt(surface("third"), "third", measure=alpha),
     )
-
-
-def table(points: list[list[float]], friction: float) -> Tire:
-    """A tire of straight lines between points: slip in degrees, side force over load."""
-
-    def tire(load: Quantity) -> Chain:
-        slip = sp.Abs(alpha) * degrees(1.0)
-        lines = [
-            (low + (high - low) * (slip - start) / (stop - start), slip <= stop)
-            for (start, low), (stop, high) in pairwise(points)
-        ]
-        curve = sp.Piecewise(*lines, (points[-1][1], True))
-        return (
-            Equation(mu, sp.Float(friction), "table"),
-            Equation(grip, sp.sign(alpha) * curve / friction, "table"),
-        )
-
-    return tire
 
 
 #: What no stored run has: each part is there, and does nothing.

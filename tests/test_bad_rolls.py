@@ -100,9 +100,17 @@ def test_a_wheel_in_the_air_at_rest_is_named() -> None:
         rolled(TAIL.replace(x_main=TAIL["x_cg"] + 0.05, **legs))
 
 
-def test_a_start_under_the_runway_is_refused() -> None:
-    with pytest.raises(gr.GroundrollError, match=r"depth \(Z0\) must not be positive.*0.5 m"):
-        rolled(TAIL, Z0=0.5)
+@pytest.mark.parametrize("depth", [0.5, -0.2, [-0.9, -0.1]])
+def test_a_start_under_the_runway_is_refused(depth: Any) -> None:
+    with pytest.raises(gr.GroundrollError, match=r"depth \(Z0\).*wheel.*m under the runway"):
+        rolled(TAIL, Z0=depth)
+
+
+def test_a_pitch_that_is_given_starts_at_the_depth_of_the_rest() -> None:
+    rest = rolled(TAIL)
+    pitched = rolled(TAIL, theta0=float(rest["theta"][0]) + 0.01)
+    assert pitched["Z"][0] == rest["Z"][0]
+    assert pitched["theta"][0] == pytest.approx(rest["theta"][0] + 0.01)
 
 
 def test_wheels_of_a_level_body_lift_when_nothing_is_left_to_carry() -> None:

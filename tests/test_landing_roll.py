@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -21,16 +20,7 @@ from rolling import (
     on_jsbsim_tires,
     parameters,
     simulate,
-    table,
-    with_tires,
 )
-
-
-@cache
-def _on_tables() -> Compiled:
-    """The landing roll on the tires of run G6, which are tables."""
-    left, _, third = stored()["G6"]["config"]["wheels"]
-    return with_tires(lambda _: table(left["side"], 0.8), table(third["side"], 0.8))
 
 
 def _rolled(compiled: Compiled, name: str, **changes: float) -> dict[str, Any]:
@@ -39,28 +29,11 @@ def _rolled(compiled: Compiled, name: str, **changes: float) -> dict[str, Any]:
     return simulate(compiled, run["config"], run["inputs"], times, at_rest(run), **changes)
 
 
-@pytest.mark.parametrize("name", ["G1", "G2", "G3", "G4", "G5", "G8"])
-def test_jsbsim_rolls_alike_on_its_own_tires(name: str) -> None:
-    """An order better than asked but at rest, where creeping differs."""
+@pytest.mark.parametrize("name", ["G3", "G8"])
+def test_jsbsim_comes_to_rest_alike(name: str) -> None:
+    """Narrower near rest than explicit steps can follow; `test_stored_rolls` has all eight runs."""
     ours = _rolled(on_jsbsim_tires(), name)
     assert not disagreements(ours, reference(stored()[name]), 0.2 if name != "G8" else 1.0)
-
-
-def test_jsbsim_rolls_alike_on_measured_tires() -> None:
-    assert not disagreements(_rolled(_on_tables(), "G6"), reference(stored()["G6"]), 0.2)
-
-
-def test_jsbsim_rolls_alike_with_its_own_caster() -> None:
-    """Its caster keeps a small slip and force; ours follows its velocity: within 1.5 %."""
-    ours, theirs = _rolled(on_jsbsim_tires(), "G7"), reference(stored()["G7"])
-    assert not disagreements(ours, theirs, 5.0)
-    assert not disagreements({**ours, "psi": theirs["psi"]}, theirs)
-
-
-@pytest.mark.parametrize("name", ["G1", "G2", "G3", "G4", "G5"])
-def test_the_thesis_s_tire_differs_little(name: str) -> None:
-    """Its slip is the tangent of an angle, JSBSim's the angle: 1 % apart at 10 deg."""
-    assert not disagreements(_rolled(landing_roll(), name), reference(stored()[name]))
 
 
 def test_the_width_near_rest_is_seen() -> None:

@@ -47,12 +47,8 @@ def start_of(
         start["theta"] = given.get("theta", pitch)
         if "w" not in given:
             start["w"] = _along_the_runway(plane, model, start, depth)
-    elif (start[depth] > 0).any():
-        raise GroundrollError(
-            f"{model.quantities[depth].name} ({depth}0) must not be positive, but it is"
-            f" {float(start[depth].max()):g} m: z is down, and the CG starts above the runway;"
-            " without it the aircraft starts at rest on its legs"
-        )
+    else:
+        _refuse_a_start_underground(plane, model, start, depth)
     return start
 
 
@@ -61,16 +57,47 @@ def lifts(event: Event) -> bool:
     return event.name.startswith(_LIFTED)
 
 
-def _along_the_runway(
+def _refuse_a_start_underground(
     plane: Aircraft, model: Model, start: Mapping[str, FloatArray], depth: str
-) -> FloatArray:
-    """Velocity along body z with which the body neither rises nor sinks; the rate is linear."""
+) -> None:
+    """Refuse a start with a wheel deeper in the ground than the CG is above it."""
+    wheels = _wheels(model)
+    x, u, p, _ = _point(plane, model, start)
+    (y,) = columns(model.function("outputs"), x, u, p)
+    height = -x[model.states.index(depth)]
+    depths = y[:, [model.outputs.index(output) for output in wheels.values()], 0]
+    if (bad := depths.max(axis=1, initial=-np.inf) > height).any():
+        n = int(bad.argmax())
+        raise GroundrollError(
+            f"{model.quantities[depth].name} ({depth}0): with {-height[n]:g} m the"
+            f" {[*wheels][int(depths[n].argmax())]} wheel of aircraft {plane.name} starts"
+            f" {depths[n].max():.3g} m under the runway and its CG {height[n]:.3g} m above it; z is"
+            " down, and without it the aircraft starts at rest on its legs"
+        )
+
+
+def _wheels(model: Model) -> dict[str, str]:
+    """Name of each wheel, and the output that is its depth."""
+    return {e.name.removeprefix(_LIFTED): e.output for e in model.events if lifts(e)}
+
+
+def _point(
+    plane: Aircraft, model: Model, start: Mapping[str, FloatArray]
+) -> tuple[FloatArray, FloatArray, FloatArray, tuple[int, ...]]:
+    """States, inputs of nothing and parameters, one column for each start, and their shape."""
     values = {f"p {s}": value for s, value in parameters_of(plane, model).items()}
     arrays, shape = broadcast({**start, **values})
     x = np.stack([arrays[s].ravel() for s in model.states])
     p = np.stack([arrays[f"p {s}"].ravel() for s in model.parameters])
-    rhs, u = model.function("rhs"), np.zeros((len(model.inputs), p.shape[1]))
-    rate = []
+    return x, np.zeros((len(model.inputs), p.shape[1])), p, shape
+
+
+def _along_the_runway(
+    plane: Aircraft, model: Model, start: Mapping[str, FloatArray], depth: str
+) -> FloatArray:
+    """Velocity along body z with which the body neither rises nor sinks; the rate is linear."""
+    x, u, p, shape = _point(plane, model, start)
+    rhs, rate = model.function("rhs"), []
     for w in (0.0, 1.0):
         x[model.states.index("w")] = w
         rate.append(columns(rhs, x, u, p)[0][:, model.states.index(depth), 0])
@@ -85,7 +112,7 @@ def _at_rest(plane: Aircraft, model: Model, depth: str) -> tuple[FloatArray, Flo
     n, u = p.shape[1], np.zeros((len(model.inputs), p.shape[1]))
     Z, pitch = model.states.index(depth), model.states.index("theta")
     rows = [model.states.index("w"), model.states.index("q")]
-    wheels = [model.outputs.index(event.output) for event in model.events if lifts(event)]
+    wheels = [model.outputs.index(output) for output in _wheels(model).values()]
 
     def state(at: FloatArray) -> FloatArray:
         x = np.zeros((len(model.states), n))
@@ -125,7 +152,7 @@ def _refuse_what_cannot_stand(
 
     A leg that gives way by more than the height that is left above it has failed.
     """
-    wheels = [event.name.removeprefix(_LIFTED) for event in model.events if lifts(event)]
+    wheels = [*_wheels(model)]
     height, deepest = -at[0], depths.max(axis=1, initial=-np.inf)
     if (bad := deepest > height).any():
         n = int(bad.argmax())
