@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest b202843b56933ad7) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 9576b510968f8282) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* What every kernel of a model begins with; the model and a driver follow. Compiled with
  *   DRIVER   1: many trajectories side by side; 2: a single one
  *   CARRY    which of the sets of states below
@@ -9188,6 +9188,10 @@ INLINE void output(const lanes *c, int l, double x0, double x1, double x2, doubl
     const double w1100 = c[0][l] * w1097;
     const double w1101 = c[1][l] * w1099;
     const double w1102 = w1100 + w1101;
+    const double w1103 = c[15][l] * w1097;
+    const double w1104 = c[16][l] * w1099;
+    const double w1105 = w1103 + w1104;
+    const double w1106 = lane_max(w1102, w1105);
     *y0 = w66;
     *y1 = w832;
     *y2 = w833;
@@ -9234,7 +9238,7 @@ INLINE void output(const lanes *c, int l, double x0, double x1, double x2, doubl
     *y43 = w1088;
     *y44 = w1090;
     *y45 = w1092;
-    *y46 = w1102;
+    *y46 = w1106;
 }
 
 APART void observe_lanes(const lanes *c, const lanes *u, const lanes *x, lanes *y)
@@ -18063,6 +18067,10 @@ INLINE void output(const lanes *c, int l, double x0, double x1, double x2, doubl
     const double w1074 = c[4][l] * w1071;
     const double w1075 = c[5][l] * w1073;
     const double w1076 = w1074 + w1075;
+    const double w1077 = c[17][l] * w1071;
+    const double w1078 = c[18][l] * w1073;
+    const double w1079 = w1077 + w1078;
+    const double w1080 = lane_max(w1076, w1079);
     *y0 = w66;
     *y1 = w808;
     *y2 = w809;
@@ -18109,7 +18117,7 @@ INLINE void output(const lanes *c, int l, double x0, double x1, double x2, doubl
     *y43 = w1062;
     *y44 = w1064;
     *y45 = w1066;
-    *y46 = w1076;
+    *y46 = w1080;
 }
 
 APART void observe_lanes(const lanes *c, const lanes *u, const lanes *x, lanes *y)

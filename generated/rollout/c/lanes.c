@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest fbbe29e2bb09c491) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 2782b10879527e9a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* What every kernel of a model begins with; the model and a driver follow. Compiled with
  *   DRIVER   1: many trajectories side by side; 2: a single one
  *   CARRY    which of the sets of states below

@@ -1,4 +1,4 @@
-/* Generated from derive/ (digest fbbe29e2bb09c491) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
+/* Generated from derive/ (digest 2782b10879527e9a) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`. */
 /* Functions of states, inputs and parameters at many points, some of them side by side. */
 #include <float.h>
 #include <math.h>
