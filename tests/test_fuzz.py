@@ -22,7 +22,7 @@ SEED = 20261125
 
 @pytest.mark.parametrize("surface", DOSES)
 def test_every_input_is_answered_rightly_or_refused_in_words(surface: str):
-    tally = block(surface, SEED, range(DOSES[surface]), limit=100.0)  # processors may be busy
+    tally = block(surface, SEED, range(DOSES[surface]))
     assert not tally.bad, "\n".join(tally.bad)
     assert tally.counts.total() == DOSES[surface]
     for verdict in ("refused", "answered"):  # else the attack is none, or never gets through
@@ -61,7 +61,8 @@ def warns(folder: Path) -> None:
         (refuses_and_leaves, "", "left behind"),
         (warns, "", "exception"),
         (lambda folder: {}["x"], "", "exception"),
-        (lambda folder: time.sleep(5), "", "hang"),
+        (lambda folder: time.sleep(9), "", "hang"),
+        (lambda folder: [0 for _ in iter(int, 1)], "", "hang"),
     ],
 )
 def test_an_attack_notices(
@@ -70,7 +71,7 @@ def test_an_attack_notices(
     def surface(rng: np.random.Generator, model: str, folder: Path) -> Case:
         return Case("an input", lambda: run(folder), lambda answer: judged)
 
-    tally = attempt("any", surface, 1, 7, tmp_path, limit=0.2)
+    tally = attempt("any", surface, 1, 7, tmp_path, limit=0.1)
     assert dict(tally.counts) == {verdict: 1}
     assert [case.split(":")[:2] for case in tally.bad] == [["any", "1"]] * (verdict in BAD)
     assert verdict in VERDICTS

@@ -239,6 +239,8 @@ P = gr.Aircraft.load("brott")
         lambda: gr.simulate(P, disturbance=np.broadcast_to(1.0, 10**12)),
         lambda: gr.ensemble(P, names=[5]),
         lambda: gr.ensemble(P, names=5),
+        lambda: gr.ensemble(P, until=np.broadcast_to(1.0, 10**13)),
+        lambda: gr.sweep(P, range(10**14)),
         lambda: gr.ensemble(P, extremes=[[]]),
         lambda: gr.ensemble(P, limits={5: 5}),
         lambda: gr.sweep(P, 5),

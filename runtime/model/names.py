@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from functools import cache
 from hashlib import sha256
+from itertools import islice
 from typing import Any
 
 from groundroll.base.arrays import FloatArray, physical_of
@@ -29,6 +30,9 @@ FUNCTIONS = {name: entry for pack in PACKS.values() for name, entry in pack.func
 DIGEST = sha256("".join(pack.digest for pack in PACKS.values()).encode()).hexdigest()[:16]
 
 _SYMBOLS = {**{q.name: symbol for symbol, q in QUANTITIES.items()}, **{s: s for s in QUANTITIES}}
+
+#: Most names in a list.
+_MOST = 10_000
 
 
 @cache
@@ -63,11 +67,14 @@ def listed(what: str, names: Any) -> list[str]:
     Raises
     ------
     GroundrollError
-        If it is none.
+        If it is none, or longer than any that makes sense.
     """
     if isinstance(names, str) or not isinstance(names, Iterable):
         raise GroundrollError(f"{what} must be a list of names, not {shown(names)}")
-    return list(names)
+    found = list(islice(names, _MOST + 1))
+    if len(found) > _MOST:
+        raise GroundrollError(f"{what} must be a list of at most {_MOST} names")
+    return found
 
 
 def signature(model: str) -> Pack:

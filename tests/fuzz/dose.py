@@ -23,13 +23,13 @@ _BLOCK = 500
 _SHOWN = 40
 
 
-def block(surface: str, seed: int, numbers: range, limit: float = LIMIT) -> Tally:
+def block(surface: str, seed: int, numbers: range) -> Tally:
     """Try some inputs; a process that is stuck in compiled code ends, and says where."""
     tally = Tally()
     with tempfile.TemporaryDirectory() as folder:
         for number in numbers:
             faulthandler.dump_traceback_later(30 * LIMIT, exit=True)
-            tally.add(attempt(surface, SURFACES[surface], seed, number, Path(folder), limit))
+            tally.add(attempt(surface, SURFACES[surface], seed, number, Path(folder)))
     faulthandler.cancel_dump_traceback_later()
     return tally
 

@@ -16,10 +16,9 @@ from typing import Any
 import numpy as np
 
 from groundroll.base.errors import GroundrollError
-from groundroll.generated import library
 from groundroll.model.names import MODELS as _MODELS
 
-#: Seconds that an input may take.
+#: Seconds of the processor that an input may take.
 LIMIT = 10.0
 #: Every model there is; what else is to be attacked, is added here.
 MODELS = tuple(_MODELS)
@@ -85,9 +84,9 @@ def attempt(
     """Try one input, in a folder that is empty before and after."""
     rng = generator(name, seed, number)
     case = surface(rng, MODELS[number % len(MODELS)], folder)
-    before, begin = _names(folder), time.monotonic()
+    before, begin = _names(folder), time.process_time()
     verdict, why = _verdict(case, limit)
-    took = time.monotonic() - begin
+    took = time.process_time() - begin
     if verdict == "refused" and _names(folder) != before:
         verdict, why = "left behind", f"{_names(folder)} for {before}"
     for path in folder.iterdir():
@@ -134,29 +133,28 @@ def _leaks(message: str) -> bool:
 
 @contextmanager
 def _timed(limit: float) -> Iterator[None]:
-    """Raise `Hang` after so many seconds, of which compilation, once for a machine, takes none."""
+    """Raise `Hang` after so many seconds of the processor, or after ten times as many of waiting.
+
+    Others may want the processor, and a library is compiled once for a machine, in a process of
+    its own.
+    """
 
     def ring(number: int, frame: Any) -> None:
         raise Hang
 
-    def make(*arguments: Any) -> None:
-        nonlocal apart
-        left, start = signal.setitimer(signal.ITIMER_REAL, 0)[0], time.monotonic()
-        try:
-            make_at_once(*arguments)
-        finally:
-            apart += time.monotonic() - start
-            signal.setitimer(signal.ITIMER_REAL, left)
-
-    before, make_at_once = signal.signal(signal.SIGALRM, ring), library.make
-    apart, begin = 0.0, time.monotonic()
-    signal.setitimer(signal.ITIMER_REAL, limit)
-    library.make = make
+    clocks = {
+        signal.SIGPROF: (signal.ITIMER_PROF, limit),
+        signal.SIGALRM: (signal.ITIMER_REAL, 10 * limit),
+    }
+    before = {number: signal.signal(number, ring) for number in clocks}
+    begin = time.process_time()
+    for timer, most in clocks.values():
+        signal.setitimer(timer, most)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
-        library.make = make_at_once
-    if time.monotonic() - begin - apart > limit:  # compiled code is not interrupted
+        for number, (timer, _) in clocks.items():
+            signal.setitimer(timer, 0)
+            signal.signal(number, before[number])
+    if time.process_time() - begin > limit:  # compiled code is not interrupted
         raise Hang
