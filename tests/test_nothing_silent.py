@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from clouds import CLOUDS
 
 import groundroll as gr
 from groundroll.base.errors import GroundrollError
@@ -191,3 +192,48 @@ def test_at_a_critical_speed_nothing_decays_and_nothing_grows(changes: dict[str,
     assert (margins.time_to_double == np.inf).all()
     beside = gr.margins(plane, speed=speeds[:, None] * [1 - 1e-9, 1 + 1e-9])
     assert (np.sign(beside.decay_rate[-1]) == [-1, 1]).all()
+
+
+# --- One bad run among many -----------------------------------------------------------------
+
+
+def test_an_aircraft_that_grows_without_bound_leaves_the_others_alone():
+    plane, bad = gr.Aircraft.load("brott"), 77
+    a = np.linspace(-0.3, 0.3, 500)
+    options = {"speed": 60.0, "v0": 1.0, "t": 60.0, "samples": 7}
+    sound = gr.simulate(plane.replace(a=a, Ct=1000.0), "linear", **options)
+    a[bad] = 3.0
+    with pytest.warns(RuntimeWarning, match=r"^run 77 of 500: .* at t = .* s; NaN from there on$"):
+        run = gr.simulate(plane.replace(a=a, Ct=1000.0), "linear", **options)
+    lost = np.arange(500) == bad
+    assert ((run.status != 0) == lost).all()
+    assert run["psi"][~lost].tobytes() == sound["psi"][~lost].tobytes()
+    known = np.isfinite(run["psi"][bad])
+    assert (known == (run.t <= run.end[bad])).all()
+    assert 1 <= known.sum() < 7
+    assert "1 step limit: the motion grows or changes too fast" in repr(
+        gr.ensemble(plane, 60.0, "linear", a=a, Ct=1000.0, speed=60.0, v0=1.0, Y0=0.0)
+    )
+
+
+def test_whatever_has_a_finite_answer_gets_it():
+    """Light or slow ones spin thousands of times around."""
+    cloud = CLOUDS["any aircraft, large-slip, 20 s"]
+    plane, start = cloud.drawn(np.random.default_rng(1), 500)
+    ens = gr.ensemble(plane, 20.0, extremes=["psi"], **start)
+    assert ens.ok.all()
+    assert ens.largest["psi"].max() > 1e4
+
+
+@pytest.mark.parametrize("speed", [1e-6, 1e-3, 0.1])
+@pytest.mark.parametrize("model", ["linear", "nonlinear", "rollout", "landing_roll"])
+def test_hardly_any_speed_is_an_answer_or_an_error_in_words(model: str, speed: float):
+    plane, words = gr.Aircraft.load("cessna-170"), "too fast to be followed"
+    if speed == 1e-6 and "u" not in as_model(model).states:  # all is over in microseconds
+        with pytest.raises(GroundrollError, match=words):
+            gr.simulate(plane, model, speed=speed, v0=0.1, t=2.0, samples=5)
+        assert words in repr(gr.ensemble(plane, 2.0, model, speed=speed, v0=0.1))
+        return
+    run = gr.simulate(plane, model, speed=speed, v0=0.1, t=2.0, samples=5)
+    assert np.isfinite(run["v"]).all()
+    assert abs(run["v"][-1]) < 0.01

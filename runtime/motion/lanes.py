@@ -31,6 +31,12 @@ _SYMBOLS = {_ENSEMBLE: "integrate", _TRAJECTORY: "trace"}
 
 #: What became of a trajectory, by the kernels' code; the last is said by `ensemble` alone.
 STATUS = ("ok", "not finite", "step limit", "unsure", "left the range")
+#: What is said of some of these.
+IN_WORDS = {
+    "not finite": "the motion grows beyond what a number can hold",
+    "step limit": f"the motion grows or changes too fast to be followed in {_MAX_STEPS:_} steps",
+    "unsure": "the error may be larger than tol",
+}
 
 
 @dataclass(frozen=True)

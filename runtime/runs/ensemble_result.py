@@ -14,7 +14,7 @@ from groundroll.aircraft.validity import extrapolated_in
 from groundroll.base.arrays import FloatArray
 from groundroll.base.listing import Listed, span, unit_of
 from groundroll.model.models import ModelLike, as_model
-from groundroll.motion.lanes import STATUS
+from groundroll.motion.lanes import IN_WORDS, STATUS
 from groundroll.motion.signals import Polynomials
 from groundroll.results.records import Column, Record, measured, run_dims, time_axis
 from groundroll.results.results import Result
@@ -214,4 +214,7 @@ class Ensemble(Listed, Result):
             share = np.isfinite(self.first[s]).mean()
             unit = unit_of(as_model(self.model).quantities[s])
             yield f"{100 * share:.3g} % reach |{s}| = {limit:g} {unit}".rstrip()
+        for status, n in self.counts.items():
+            if status in IN_WORDS:
+                yield f"{n} {status}: {IN_WORDS[status]}"
         yield from extrapolated_in(self.aircraft, self.largest)

@@ -21,7 +21,7 @@ from groundroll.model.models import ModelLike, as_model
 from groundroll.model.shown import UnitsLike
 from groundroll.motion.engine import integrated
 from groundroll.motion.events import Lookout, lookout
-from groundroll.motion.lanes import STATUS, Outcome
+from groundroll.motion.lanes import IN_WORDS, STATUS, Outcome
 from groundroll.motion.plan import Plan, planned
 from groundroll.motion.signals import Polynomials, Signal
 from groundroll.results.doors import drawn
@@ -53,8 +53,8 @@ class Trajectory(Listed, Result):
         The inputs that varied over time, by symbol; see `groundroll.signals`.
     status : ndarray of int8
         What became of each run, an index of `STATUS`: ``ok``; ``not finite`` and ``step limit``
-        (it grew without bound, and is NaN from there on); ``unsure`` (its estimated error stayed
-        above the tolerance).
+        (it grew without bound or changed too fast, and is NaN from there on); ``unsure`` (its
+        estimated error stayed above the tolerance).
     end : ndarray
         When each run ended, s: at the last sample, or when an event ended it.
     fate : ndarray of int8
@@ -245,11 +245,8 @@ def _report(found: Outcome) -> None:
     lost = np.flatnonzero((found.status != 0) & (found.status != STATUS.index("unsure")))
     if lost.size == 0:
         return
-    runs = found.status.size
-    text = (
-        f"run {lost[0]} of {runs}: the motion grows beyond what a number can hold, or too fast to"
-        f" be followed, at t = {found.end[lost[0]]:.4g} s"
-    )
+    runs, status = found.status.size, STATUS[found.status[lost[0]]]
+    text = f"run {lost[0]} of {runs}: {IN_WORDS[status]}, at t = {found.end[lost[0]]:.4g} s"
     if lost.size == runs:
         raise GroundrollError(text)
     more = f", and so in {lost.size - 1} others" if lost.size > 1 else ""

@@ -108,7 +108,7 @@ def _verdict(case: Case, limit: float) -> tuple[str, str]:
                 answer = case.run()
         except GroundrollError as problem:
             return ("refused", "") if str(problem).strip() else ("exception", "no words")
-        except Hang:
+        except (Hang, KeyboardInterrupt):  # which solvers make of it
             return "hang", traceback.format_exc()
         except Exception:
             return "exception", traceback.format_exc()
