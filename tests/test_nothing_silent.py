@@ -18,6 +18,7 @@ import groundroll as gr
 from groundroll.base.errors import GroundrollError
 from groundroll.base.files import complete
 from groundroll.generated import kernels
+from groundroll.model.models import as_model
 from groundroll.model.names import parameter_symbols
 from groundroll.stability.polynomials import roots
 
