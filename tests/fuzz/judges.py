@@ -156,20 +156,22 @@ def linearization(lin: gr.Linearization, at: dict[str, Any]) -> str:
 
 
 def turns(found: gr.Trim) -> str:
-    """Whether nothing accelerates at the equilibria."""
+    """Whether nothing accelerates at the equilibria, but for the heading and what is held."""
     model = as_model(found.model)
     shape = found.count.shape
     p = points(found.aircraft, model.name, shape)
-    force = np.broadcast_to(found.disturbance, shape).ravel()
-    dynamic = [model.states.index(s) for s in model.dynamic]
+    still = [model.states.index(s) for s in model.dynamic if s not in (*found.held, "psi")]
     for k, index in enumerate(np.ndindex(*shape)):
         for branch in range(int(found.count[index])):
-            x = np.zeros((len(model.states), 1))
-            for s in model.dynamic:
-                x[model.states.index(s)] = found[s][index][branch]
-            u = np.zeros((len(model.inputs), 1))
-            u[0] = force[k]
-            rates = evaluated(model.name, "rhs", x, u, p[:, k : k + 1])[dynamic, 0]
+
+            def value(s: str, index: tuple[int, ...] = index, branch: int = branch) -> float:
+                if s in found.values:
+                    return float(found.values[s][index][branch])
+                return float(np.broadcast_to(found.given.get(s, 0.0), shape)[index])
+
+            x = np.array([[value(s)] for s in model.states])
+            u = np.array([[value(s)] for s in model.inputs])
+            rates = evaluated(model.name, "rhs", x, u, p[:, k : k + 1])[still, 0]
             if not np.abs(rates).max() < 1e-6 * (1 + np.abs(x).max()):
                 return f"branch {branch} of {index}: rates {rates}"
     return ""
