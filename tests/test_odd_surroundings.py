@@ -106,6 +106,21 @@ def test_what_is_ended_has_its_code(
     assert capsys.readouterr().err.strip() == "groundroll: ended"
 
 
+def test_ctrl_c_while_it_is_imported_is_told_in_a_word(tmp_path: Path):
+    """The first import of the command line is interrupted, as somebody impatient does."""
+    (tmp_path / "sitecustomize.py").write_text(
+        "import sys\n"
+        "class Impatient:\n"
+        "    def find_spec(self, name, path=None, target=None):\n"
+        "        if name == 'groundroll.cli':\n"
+        "            raise KeyboardInterrupt\n"
+        "sys.meta_path.insert(0, Impatient())\n"
+    )
+    found = shell("G info", tmp_path, PYTHONPATH=str(tmp_path))
+    assert (found.returncode, found.stdout) == (130, "")
+    assert found.stderr == "groundroll: interrupted\n"
+
+
 # --- What a text may hold ---------------------------------------------------------------------
 
 
@@ -249,6 +264,13 @@ P = gr.Aircraft.load("brott")
         lambda: gr.Result.load(f"{LONG}.npz"),
         lambda: gr.TireData.load(5),
         lambda: gr.fit_tire(5),
+        lambda: gr.simulate(P, tire=5),
+        lambda: gr.margins(5),
+        lambda: gr.place_gear(P, 5),
+        lambda: gr.trim(P, within=5),
+        lambda: gr.runway_view(5),
+        lambda: gr.runway_view([5]),
+        lambda: gr.pole_map(5),
     ],
 )
 def test_odd_values_are_refused_in_words(call: Callable[[], object]):

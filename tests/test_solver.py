@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -12,6 +15,7 @@ from scipy.integrate import solve_ivp
 
 import groundroll as gr
 from groundroll.derive.emit.simd.lanes import NUMBERS
+from groundroll.model.names import signature
 from groundroll.motion import lanes
 
 PLANE = gr.Aircraft.load("brott-physical")
@@ -24,7 +28,7 @@ def solve(
     plane: gr.Aircraft, start: dict[str, float], model: str = "nonlinear", **options: object
 ) -> np.ndarray:
     """The solver's rows for named initial states."""
-    states = gr.names.signature(model).states
+    states = signature(model).states
     x0 = np.array([start.get(s, 0.0) for s in states])
     return gr.solver(model, **options)(x0, np.zeros(1), plane.parameters(model))
 
@@ -70,7 +74,7 @@ def test_it_keeps_the_tolerance_against_scipy(
     large_slip: bool,
 ):
     plane = PLANE.replace(a=a, Ct=Ct, speed=speed, **(LARGE_SLIP if large_slip else {}))
-    start, states = {"v": v, "r": r}, gr.names.signature(model).states
+    start, states = {"v": v, "r": r}, signature(model).states
     exact = scipy(plane, start, model)
     rows = solve(plane, start, model, t=TIMES, names=states, tol=tol)
     scale = np.maximum(np.abs(exact).max(axis=1, keepdims=True), 1e-6)
@@ -177,3 +181,26 @@ def test_the_tables_integrate_and_expand_every_polynomial(coefficients: list[flo
 def test_mistakes_of_a_solver_are_named(arguments: dict[str, object], message: str):
     with pytest.raises(gr.GroundrollError, match=message):
         gr.solver(**arguments)
+
+
+# --- Shared -----------------------------------------------------------------------------------
+
+
+def test_threads_may_share_a_solver():
+    """Each of them has room of its own: 7 of 2,000 had been wrong in silence."""
+    solve = gr.solver(t=np.linspace(0.0, 2.0, 41))
+    p = gr.Aircraft.load("brott").parameters("nonlinear")
+    starts = np.zeros((2000, 7))
+    starts[:, 0] = np.linspace(0.01, 3.0, 2000)
+    alone = [solve(x0, np.zeros(1), p) for x0 in starts]
+    with ThreadPoolExecutor(8) as pool:
+        shared = list(pool.map(lambda x0: solve(x0, np.zeros(1), p), starts))
+    assert all((one == other).all() for one, other in zip(alone, shared, strict=True))
+
+
+def test_a_solver_can_be_sent_to_another_process():
+    solve = gr.solver("linear", t=[0.5, 1.0], names=("v", "psi", "gamma"), tol=1e-9)
+    p = gr.Aircraft.load("brott").parameters("linear")
+    again = pickle.loads(pickle.dumps(solve))
+    x0 = np.array([0.3, 0.1, 0, 0, 0, 0, 0])
+    assert (again(x0, np.zeros(1), p) == solve(x0, np.zeros(1), p)).all()

@@ -11,7 +11,7 @@ import numpy as np
 from groundroll.aircraft.aircraft import Aircraft
 from groundroll.aircraft.values import Given
 from groundroll.base.arrays import FloatArray, single
-from groundroll.base.errors import GroundrollError, shown
+from groundroll.base.errors import GroundrollError, mapped, shown
 from groundroll.model.models import Model
 from groundroll.model.names import listed
 
@@ -44,7 +44,8 @@ def ranges_of(model: Model, within: Mapping[str, Any] | None) -> dict[str, tuple
     """Ranges of unknowns by symbol, SI."""
     found = dict(model.ranges)
     allowed = (*model.dynamic, *model.inputs)
-    for name, pair in (within or {}).items():
+    given = {} if within is None else mapped("within", within)
+    for name, pair in given.items():
         s = model.symbol(name, "state or input", allowed, "within")
         low, high = pair_of(f"within[{name!r}]", pair, model.quantities[s].unit)
         least, most = found.get(s, (-math.inf, math.inf))

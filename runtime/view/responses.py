@@ -12,8 +12,9 @@ import numpy as np
 from matplotlib.patheffects import withStroke
 
 from groundroll.base.arrays import FloatArray
-from groundroll.base.errors import GroundrollError
+from groundroll.base.errors import GroundrollError, of_kind
 from groundroll.base.wording import number
+from groundroll.linear.linearization import Linearization
 from groundroll.model.models import as_model
 from groundroll.model.names import PARAMETERS
 from groundroll.model.shown import UnitsLike, as_units
@@ -23,7 +24,6 @@ from .plots import COLOURS, DASHES, INK, MUTED, style, titled, whose
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from groundroll.linear.linearization import Linearization
     from groundroll.linear.response import FrequencyResponse, RootLocus, StepResponse
     from groundroll.stability.modes import ComplexArray
 
@@ -129,6 +129,7 @@ def pole_map(lin: Linearization, ax: Axes | None = None) -> Axes:
     Axes
         What was drawn on.
     """
+    of_kind("lin", lin, Linearization)
     poles = lin.eigenvalues.reshape(-1, lin.eigenvalues.shape[-1])
     with style():
         ax = _new(ax, (5.2, 4.4))

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundroll.aircraft.parameters import parameters_of
 from groundroll.base.arrays import FloatArray
-from groundroll.base.errors import GroundrollError
+from groundroll.base.errors import GroundrollError, of_kind, shown
 from groundroll.generated import Quantity
 from groundroll.model.evaluate import columns
 from groundroll.model.models import Model, as_model
@@ -99,8 +99,7 @@ def rolls_of(
         If there is none, there are too few or too many labels, or a model does not say where it
         is.
     """
-    runs = [run] if isinstance(run, Trajectory) else list(run)
-    rolls = [roll for each in runs for roll in _rolls(each, units)]
+    rolls = [roll for each in _runs(run) for roll in _rolls(each, units)]
     if not rolls:
         raise GroundrollError("nothing to draw: no run was given")
     if labels is not None and len(labels) != len(rolls):
@@ -110,12 +109,23 @@ def rolls_of(
     return [replace(roll, colour=COLOURS[k % len(COLOURS)]) for k, roll in enumerate(rolls)]
 
 
+def _runs(run: Trajectory | Sequence[Trajectory]) -> list[Trajectory]:
+    """One run or several as a list."""
+    if isinstance(run, Trajectory):
+        return [run]
+    if not isinstance(run, list | tuple):
+        raise GroundrollError(
+            f"what is drawn is a run of simulate or a list of them, not {shown(run)}"
+        )
+    return [of_kind("a run", each, Trajectory) for each in run]
+
+
 def distance_of(run: Trajectory | Sequence[Trajectory]) -> Quantity:
     """The quantity by which a run is laid out on a runway."""
-    first = run if isinstance(run, Trajectory) else next(iter(run), None)
-    if first is None:
+    runs = _runs(run)
+    if not runs:
         raise GroundrollError("nothing to draw: no run was given")
-    model = as_model(first.model)
+    model = as_model(runs[0].model)
     missing = [role for role in _NEEDED if role not in model.roles]
     if missing:
         nothing = " and no ".join(missing)
