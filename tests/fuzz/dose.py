@@ -17,7 +17,7 @@ from .lines import lines
 from .results import results
 
 SURFACES: dict[str, Surface] = {"files": files, "calls": calls, "lines": lines, "results": results}
-#: Inputs that one process tries before it makes room for another.
+#: Inputs that one process tries before it tells what became of them.
 _BLOCK = 500
 #: Cases that are printed of each surface.
 _SHOWN = 40
@@ -40,7 +40,7 @@ def dose(
     """Try so many inputs of a surface, and print what must not happen as it happens."""
     total, done = Tally(), 0
     blocks = [range(n, min(n + _BLOCK, count)) for n in range(0, count, _BLOCK)]
-    with ProcessPoolExecutor(jobs, get_context("spawn"), max_tasks_per_child=4) as pool:
+    with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
         jobs_of = {pool.submit(block, surface, seed, numbers): numbers for numbers in blocks}
         for job in as_completed(jobs_of):
             numbers = jobs_of[job]
