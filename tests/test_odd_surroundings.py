@@ -268,6 +268,8 @@ P = gr.Aircraft.load("brott")
         lambda: gr.margins(5),
         lambda: gr.place_gear(P, 5),
         lambda: gr.trim(P, within=5),
+        lambda: gr.trim(P, "rollout", slip=True),
+        lambda: gr.trim(P, "nonlinear", starts="x"),
         lambda: gr.runway_view(5),
         lambda: gr.runway_view([5]),
         lambda: gr.pole_map(5),

@@ -282,11 +282,12 @@ def trim(
     chosen = as_model(model)
     found = sorted_at(plane, chosen, at, values, "trim")
     inputs, ranges = sought(chosen, found, solve_for), ranges_of(chosen, within)
+    widest, count = _widest(slip), whole("starts", starts, 1)  # whether they count here or not
     if "turns" in chosen.abilities and not (inputs or found.states or within):
-        return _turns(chosen, found, plane, slip)
+        return _turns(chosen, found, plane, widest)
     points = points_of(chosen, found)
     question, held, idle = question_of(points, found, inputs, ranges)
-    answer = solve(question, whole("starts", starts, 1))
+    answer = solve(question, count)
     told = _told(
         points,
         {s: answer.values[..., k] for k, s in enumerate(question.unknown)},
@@ -302,11 +303,15 @@ def trim(
     return replace(told, reasons=tuple("" if n else answer.reason(i) for i, n in counts))
 
 
-def _turns(model: Model, found: Given, plane: Aircraft, slip: float | str) -> Trim:
-    """Steady turns of a model that reduces them to one equation."""
+def _widest(slip: float | str) -> float:
     widest = single("slip", slip, "rad")
     if not 0 < widest < math.pi / 2:
         raise GroundrollError(f"slip must be between 0 and a right angle (pi/2), not {shown(slip)}")
+    return widest
+
+
+def _turns(model: Model, found: Given, plane: Aircraft, widest: float) -> Trim:
+    """Steady turns of a model that reduces them to one equation."""
     widest = math.inf if model.name == "linear" else widest
     points = points_of(model, found)
     columns = dict(zip(points.values, points.columns, strict=True))
