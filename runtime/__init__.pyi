@@ -4,6 +4,7 @@ from .aircraft.aircraft import Aircraft as Aircraft
 from .base.errors import GroundrollError as GroundrollError
 from .exchange import explore as explore
 from .exchange import export as export
+from .exchange import import_aircraft as import_aircraft
 from .fates.basins import Basin as Basin
 from .fates.basins import basin as basin
 from .fates.kicks import Survival as Survival

@@ -156,15 +156,19 @@ def _take_surfaces(root: ET.Element, found: Found, mass: Mass) -> None:
         else:
             found.left.append(f"{PARAMETERS[s].name}: no <{tag}>")
     fin = measured(metrics, "vtailarm", "m", "metrics")
-    if fin and fin[0]:  # a tail wheel, of which there is but one station, comes later
-        station = float(mass.cg[0]) + to_si(f"{fin[0]!r} {fin[1]}", "m", "vtailarm")
-        shown = shown_in(station, "m", fin[1])
-        found.take(Taken("x_tail", shown, fin[1], "<vtailarm> from the CG"))
-    else:
-        found.left.append("arm of the fin: no <vtailarm>")
     arm = measured(metrics, "htailarm", "m", "metrics")
     if arm and arm[0]:
         found.take(Taken("x_h", -arm[0], arm[1], "<htailarm>"))
+    for tail, source, estimate in (
+        (fin, "<vtailarm> from the CG", False),
+        (arm, "the fin beside the tailplane: <htailarm> from the CG", True),
+    ):
+        if tail and tail[0]:  # a tail wheel, of which there is but one station, comes later
+            station = float(mass.cg[0]) + to_si(f"{tail[0]!r} {tail[1]}", "m", "tail arm")
+            shown = shown_in(station, "m", tail[1])
+            found.take(Taken("x_tail", shown, tail[1], source, estimate))
+            return
+    found.left.append("arm of the fin: no <vtailarm>")
 
 
 def _take_gear(found: Found, gear: Stance, mass: Mass) -> None:
