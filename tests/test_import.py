@@ -269,6 +269,9 @@ def test_what_is_wrong_is_said(text: str, told: str, tmp_path: Path) -> None:
     (tmp_path / "bad.st").write_text(AVL.replace("5.012345", "********"))
     with pytest.raises(gr.GroundrollError, match=r"line 13: CLa: found '\*+'; expected a number"):
         gr.import_aircraft(AIRCRAFT["J3Cub"], tmp_path / "plane.toml", tmp_path / "bad.st")
+    (tmp_path / "aft.st").write_text(f" Geometric axis orientation,  X aft, Z up\n{AVL}")
+    with pytest.raises(gr.GroundrollError, match="expected the standard one"):
+        gr.import_aircraft(AIRCRAFT["J3Cub"], tmp_path / "plane.toml", tmp_path / "aft.st")
     assert not (tmp_path / "plane.toml").exists()
 
 

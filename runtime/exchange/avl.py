@@ -18,6 +18,7 @@ _ENTRY = re.compile(r"([A-Za-z][\w']*)\s*=\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[EeDd][
 #: ``elevator     d02`` above a column of control derivatives.
 _CONTROL = re.compile(r"([A-Za-z]\w*)\s+d(\d+)")
 _HEADING = "Stability-axis derivatives"
+_GEOMETRIC = "Geometric axis orientation"
 
 
 def read_avl(path: Path) -> Found:
@@ -32,6 +33,11 @@ def read_avl(path: Path) -> Found:
     if _HEADING not in text:
         raise GroundrollError(
             f"{path} is no .st file of AVL: found no {_HEADING!r}; write it with ST in OPER"
+        )
+    if _GEOMETRIC in text:
+        raise GroundrollError(
+            f"{path}: found {_GEOMETRIC!r}, in which signs are other ones; expected the standard"
+            " one, X forward and Z down"
         )
     found = Found("", f"AVL, {path.name}")
     entries = _entries(path, text)
