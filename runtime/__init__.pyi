@@ -2,6 +2,8 @@
 
 from .aircraft.aircraft import Aircraft as Aircraft
 from .base.errors import GroundrollError as GroundrollError
+from .control.pilot import PilotLimit as PilotLimit
+from .control.pilot import pilot_limit as pilot_limit
 from .exchange import explore as explore
 from .exchange import export as export
 from .exchange import import_aircraft as import_aircraft

@@ -47,6 +47,7 @@ def many(plane: gr.Aircraft) -> gr.Trajectory:
 
 
 PLANE = gr.Aircraft.load("brott-physical")
+TAILDRAGGER = gr.Aircraft.load("cessna-170")
 SPEEDS, ARMS = np.array([[20.0], [30.0]]), np.array([0.2, 0.4, 0.6])
 SEVERAL = PLANE.replace(a=ARMS, speed=SPEEDS)
 SAMPLED = {"at": [0.5, 1.0], "extremes": ["F_main"], "limits": {"psi": 0.01}}
@@ -67,6 +68,7 @@ MADE: dict[str, Callable[[], gr.Result]] = {
     "threshold": lambda: gr.survival(PLANE, station=-3.0),
     "basin": lambda: gr.basin(PLANE, ("u", SPEEDS[:, 0]), ("impulse", [0, 9e3]), station=-3.0),
     "starts": lambda: gr.basin(PLANE, ("v0", [0.0, 5.0, 9.0]), ("r0", [0.0, 0.5])),
+    "pilot": lambda: gr.pilot_limit(TAILDRAGGER, speed=np.array([[10.0, 19.0], [4.0, 16.0]])),
     "trim": lambda: gr.trim(PLANE, disturbance=300.0),
     "trims": lambda: gr.trim(SEVERAL, "linear", disturbance=SPEEDS),
     "branches": lambda: gr.branches(PLANE, "speed", (10.0, 40.0), disturbance=20.0),

@@ -243,7 +243,7 @@ def best_gains(
         best = np.where(better[:, None], share[np.arange(len(A)), k], best)
         delay = np.maximum(delay, found.max(axis=1))
         half = 2 * half / (count - 1) if count == _GRID else half / 2
-    return gains(best).reshape(*shape, -1), delay.reshape(shape)
+    return gains(best).reshape(*shape, len(low)), delay.reshape(shape)
 
 
 #: Points of the first grid along each gain, of those that follow, and how many follow.

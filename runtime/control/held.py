@@ -19,8 +19,8 @@ import numpy.typing as npt
 
 from groundroll.base.arrays import FloatArray
 from groundroll.base.errors import GroundrollError
-from groundroll.model.models import Model
 from groundroll.linear.points import Points
+from groundroll.model.models import Model
 
 IntArray = npt.NDArray[np.intp]
 BoolArray = npt.NDArray[np.bool_]
@@ -120,7 +120,9 @@ class Rolls:
         first = f[:, rows]
         first[:, rows.index(model.states.index(roles["distance"]))] -= self.speed
         second = [
-            fx[:, model.states.index(roles[role]), :] for role in ("offset", "depth") if role in roles
+            fx[:, model.states.index(roles[role]), :]
+            for role in ("offset", "depth")
+            if role in roles
         ]
         pushed = [(row * f).sum(axis=-1) for row in second]
         by = [(row[:, None, :] @ by_z)[:, 0] for row in second]

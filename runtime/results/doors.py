@@ -22,6 +22,7 @@ KINDS = {
     "ensemble": "runs.ensemble_result.Ensemble",
     "survival": "fates.kicks.Survival",
     "basin": "fates.basins.Basin",
+    "pilot": "control.pilot.PilotLimit",
 }
 #: Picture of a result -> function that draws it.
 PICTURES = {
