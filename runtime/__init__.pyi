@@ -2,6 +2,10 @@
 
 from .aircraft.aircraft import Aircraft as Aircraft
 from .base.errors import GroundrollError as GroundrollError
+from .control.crosswind import Clause as Clause
+from .control.crosswind import CrosswindLimit as CrosswindLimit
+from .control.crosswind import crosswind_clause as crosswind_clause
+from .control.crosswind import crosswind_limit as crosswind_limit
 from .control.pilot import PilotLimit as PilotLimit
 from .control.pilot import pilot_limit as pilot_limit
 from .exchange import explore as explore

@@ -69,6 +69,7 @@ MADE: dict[str, Callable[[], gr.Result]] = {
     "basin": lambda: gr.basin(PLANE, ("u", SPEEDS[:, 0]), ("impulse", [0, 9e3]), station=-3.0),
     "starts": lambda: gr.basin(PLANE, ("v0", [0.0, 5.0, 9.0]), ("r0", [0.0, 0.5])),
     "pilot": lambda: gr.pilot_limit(TAILDRAGGER, speed=np.array([[10.0, 19.0], [4.0, 16.0]])),
+    "crosswind": lambda: gr.crosswind_limit(TAILDRAGGER, speed=[2.0, 12.0, 18.0], brake=0.3),
     "trim": lambda: gr.trim(PLANE, disturbance=300.0),
     "trims": lambda: gr.trim(SEVERAL, "linear", disturbance=SPEEDS),
     "branches": lambda: gr.branches(PLANE, "speed", (10.0, 40.0), disturbance=20.0),

@@ -19,6 +19,7 @@ from groundroll.derive.models.nonlinear import nonlinear
 from groundroll.derive.models.rollout import rollout
 from groundroll.derive.parts.quantities import B1, C1, D1, PARAMETERS
 from groundroll.derive.theory import (
+    holding,
     kick,
     loads,
     mf_lateral,
@@ -141,7 +142,7 @@ def _aircraft() -> Pack:
     return Pack(
         "aircraft",
         "What follows of an aircraft, and its tire, before any model.",
-        (loads_module(), tire_module(), _placement_module(), _kick_module()),
+        (loads_module(), tire_module(), _placement_module(), _kick_module(), _holding_module()),
         sections=(
             Section("Loads and stiffnesses", loads.static_loads()),
             Section("Loads with a nose wheel", loads.nose_wheel_loads(), _NOSE_WHEEL),
@@ -150,6 +151,9 @@ def _aircraft() -> Pack:
             Section("A tail wheel's tire from its size and pressure", tire_size.tail_tire()),
             Section("A tire of a .tir file", mf_lateral.lateral_force(), _MF),
             Section("A kick", kick.kick(), _KICK),
+            Section("Held: loads that move", holding.moved_loads()),
+            Section("Held: friction", holding.friction_used()),
+            Section("Held: winds of a clause", holding.clause_winds(), _CLAUSE),
             *(Section(*section) for section in placement.sections()),
         ),
         vocabulary=PARAMETERS,
@@ -313,6 +317,37 @@ def _kick_module() -> Module:
     return Module("kick", "A kick: what an impulse changes at once.", (function,))
 
 
+def _holding_module() -> Module:
+    return Module(
+        "holding",
+        "What limits an aircraft that is held straight.",
+        (
+            scalar_function(
+                "moved_loads",
+                "Loads on the main wheels of a level body that is rolled.",
+                holding.LOADS,
+                (holding.N_left, holding.N_right),
+                holding.moved_loads(),
+            ),
+            scalar_function(
+                "friction_used",
+                "How much of its friction a main tire makes.",
+                holding.TIRE,
+                (holding.used,),
+                holding.friction_used(),
+            ),
+            scalar_function(
+                "clause_winds",
+                "Stall speed, and winds of 14 CFR 25.233(a) and the former 23.233(a).",
+                holding.STALL,
+                (holding.V_stall, holding.wind_large, holding.wind_small),
+                holding.clause_winds(),
+            ),
+        ),
+    )
+
+
+_CLAUSE = "What the clauses ask, said for comparison; nothing here certifies anything."
 _NOSE_WHEEL = (
     "What is otherwise with the main gear behind the CG: the nose wheel carries what it leaves."
     " Where this is NaN, the equations above hold."

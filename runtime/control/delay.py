@@ -17,9 +17,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from groundroll.base.arrays import FloatArray, finite
 from groundroll.base.errors import GroundrollError
+
+IntArray = npt.NDArray[np.intp]
 
 #: Gains at which a loop is tried between the ends of its gain margin.
 _BETWEEN = 5
@@ -62,7 +65,7 @@ class Loop:
         b, c = (np.broadcast_to(x, (*self.shape, n)).reshape(-1, n) for x in (self.b, self.c))
         return Loop(A, b, c)
 
-    def some(self, which: FloatArray) -> Loop:
+    def some(self, which: IntArray) -> Loop:
         """Some of the loops in a row."""
         return Loop(self.A[which], self.b[which], self.c[which])
 
@@ -165,7 +168,7 @@ def delay_margin(loop: Loop, phase: float = 0.0) -> FloatArray:
     return found.reshape(loop.shape)
 
 
-def _crossings(loop: Loop) -> tuple[FloatArray, FloatArray]:
+def _crossings(loop: Loop) -> tuple[IntArray, FloatArray]:
     """Frequencies at which the gain of loops in a row may be one, rad/s, and of which each is."""
     n = loop.b.shape[-1]
     H = np.empty((len(loop.b), 2 * n, 2 * n))

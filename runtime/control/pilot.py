@@ -98,7 +98,7 @@ class PilotLimit(Listed, Result):
 
     @classmethod
     def _of(cls, record: Record) -> PilotLimit:
-        arrays = {s: record[s] for s in _ARRAYS}
+        arrays: dict[str, Any] = {s: record[s] for s in _ARRAYS}
         return cls(**arrays, **record.about, aircraft=record.aircraft, model=record.model.key)
 
     def _title(self) -> str:
@@ -194,9 +194,11 @@ def pilot_limit(
     growth = np.where(growth < _NEUTRAL, 0.0, growth)
     with np.errstate(divide="ignore"):
         doubling = math.log(2.0) / growth
-    arrays = (rolls.speed, delay, *gains.T, growth, doubling, np.where(found, z[:, -1], np.nan))
+    pedal = np.where(found, z[:, -1], np.nan)
+    rows = zip(_ARRAYS, (rolls.speed, delay, *gains.T, growth, doubling, pedal), strict=True)
+    arrays: dict[str, Any] = {s: np.ascontiguousarray(x).reshape(shape) for s, x in rows}
     return PilotLimit(
-        *(np.ascontiguousarray(x).reshape(shape) for x in arrays),
+        **arrays,
         lag=float(late),
         gain_margin=margins.gain,
         phase_margin=margins.phase,
@@ -240,7 +242,7 @@ def lateral(rolls: Rolls, z: FloatArray) -> tuple[tuple[str, ...], FloatArray, F
     found = rolls.at(z).evaluate("fx", "fu", over=model.dynamic)
     columns = (found["fu"][:, :, model.inputs.index(s)] * x for s, x in rolls.levers[0].items())
     A, B = found["fx"], np.asarray(sum(columns))
-    moves = A.any(axis=(0, 2)) | B.any(axis=0)
+    moves = np.asarray(A.any(axis=(0, 2)) | B.any(axis=0))
     keep = [k for k, s in enumerate(model.dynamic) if moves[k] and s != model.roles["speed"]]
     return tuple(model.dynamic[k] for k in keep), A[:, keep][:, :, keep], B[:, keep]
 

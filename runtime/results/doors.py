@@ -22,6 +22,7 @@ KINDS = {
     "ensemble": "runs.ensemble_result.Ensemble",
     "survival": "fates.kicks.Survival",
     "basin": "fates.basins.Basin",
+    "crosswind": "control.crosswind.CrosswindLimit",
     "pilot": "control.pilot.PilotLimit",
 }
 #: Picture of a result -> function that draws it.
