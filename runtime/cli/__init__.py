@@ -31,6 +31,7 @@ COMMANDS = {
     "place": "Where the main gear should stand, within limits.",
     "ensemble": "Many ground rolls at once, with a picture: a grid or a draw.",
     "survival": "How hard a kick it survives, beside what the linear model says.",
+    "hold": "What can be held: crosswind and the delay of a pilot.",
     "check": "What an aircraft file says, what follows, what is missing.",
     "new": "An aircraft file to fill in.",
     "import": "An aircraft file from JSBSim's, and AVL's stability derivatives.",
