@@ -129,7 +129,7 @@ class CrosswindLimit(Listed, Result):
 
     def _title(self) -> str:
         return (
-            f"Crosswind limit of {self.aircraft.name!r}, rollout model, wind from"
+            f"CrosswindLimit of {self.aircraft.name!r}, rollout model, wind from"
             f" {math.degrees(self.direction):g} deg left of ahead"
         )
 
@@ -467,7 +467,7 @@ class Clause(Listed):
 
     def _title(self) -> str:
         verdict = "is" if self.meets else "is NOT"
-        return f"14 CFR 25.233(a) for {self.limit.aircraft.name!r}: the wind {verdict} held"
+        return f"Clause 14 CFR 25.233(a) for {self.limit.aircraft.name!r}: the wind {verdict} held"
 
     def _rows(self) -> Iterable[Sequence[str]]:
         yield "stall speed", span(self.stall_speed), "m/s"

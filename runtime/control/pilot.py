@@ -102,7 +102,7 @@ class PilotLimit(Listed, Result):
         return cls(**arrays, **record.about, aircraft=record.aircraft, model=record.model.key)
 
     def _title(self) -> str:
-        head = f"Pilot's limit of {self.aircraft.name!r}, {as_model(self.model).name} model"
+        head = f"PilotLimit of {self.aircraft.name!r}, {as_model(self.model).name} model"
         lost = int(np.isnan(self.delay).sum())
         missing = f"; {lost} of {self.delay.size} cannot be held at any delay" if lost else ""
         return f"{head}{missing}"
