@@ -167,8 +167,6 @@ def page(name: str) -> str:
     """A page of the gallery."""
     shown, model = GALLERY[name], model_of(name)
     q = model.quantities
-    source = source_of(name)
-    _, _, sheet = (model.folder / "EQUATIONS.md").read_text(encoding="utf-8").partition("\n## ")
     lists = [
         f"- {what}: {', '.join(f'`{s}` ({q[s].name}, {q[s].unit})' for s in group)}"
         for what, group in (("states", model.states), ("inputs", model.inputs))
@@ -182,7 +180,6 @@ def page(name: str) -> str:
             shown.words,
             "",
             *lists,
-            f"- {len(model.parameters)} parameters, {len(model.outputs)} outputs",
             "",
             f"![{shown.caption}]({name}.png)",
             "",
@@ -190,19 +187,47 @@ def page(name: str) -> str:
             "",
             "## Its parts list",
             "",
-            f"From `{source.relative_to(ROOT).as_posix()}`:",
-            "",
-            "```python",
-            source.read_text(encoding="utf-8").rstrip(),
-            "```",
+            *_parts_list(name),
             "",
             "## Its equations",
             "",
             "SI units and radians; SAE axes: x forward, y right, z down.",
             "",
-            f"##{'# ' + sheet.rstrip()}".replace("\n## ", "\n### "),
+            *_equations(name, model),
             "",
         )
+    )
+
+
+def _parts_list(name: str) -> tuple[str, ...]:
+    """The file of a model: of one that ships as it is when the page is read."""
+    source = source_of(name)
+    where = source.relative_to(ROOT).as_posix()
+    if name in NAMES:
+        text = source.read_text(encoding="utf-8").rstrip()
+        return f"From `{where}`:", "", "```python", text, "```"
+    return (
+        f"From `{where}`:",
+        "",
+        f"```{{literalinclude}} ../../{where}",
+        ":language: python",
+        "```",
+    )
+
+
+def _equations(name: str, model: gr.Model) -> tuple[str, ...]:
+    """The sheet of a model, below a heading of the page."""
+    if name in NAMES:
+        text = (model.folder / "EQUATIONS.md").read_text(encoding="utf-8")
+        sheet = text.partition("\n## ")[2].rstrip()
+        return (f"### {sheet}".replace("\n## ", "\n### "),)
+    sheet = f"../../generated/{name}/EQUATIONS.md"
+    return (
+        f"From `generated/{name}/EQUATIONS.md`:",
+        "",
+        f"```{{include}} {sheet}",
+        ":heading-offset: 2",
+        "```",
     )
 
 
