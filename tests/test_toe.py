@@ -9,12 +9,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import fsolve
 
+import groundroll as gr
+from groundroll.control.held import solved
+from groundroll.control.pilot import lateral, rolls_at
 from groundroll.derive.core.equation import expand
 from groundroll.derive.parts.gear import track
 from groundroll.derive.parts.quantities import C_alpha, Ct, a, b, h_cg, u
 from groundroll.derive.theory import closed_forms as closed
 from groundroll.derive.theory.toe import C_load, toe_effects
 from groundroll.model.evaluate import elementwise
+from groundroll.model.models import as_model
 
 CHAIN = {e.lhs.name: e.rhs for e in toe_effects()}
 POSITIVE = st.floats(0.1, 1.0)
@@ -89,3 +93,47 @@ def test_the_chain_is_in_parameters_only() -> None:
     free = expand(CHAIN["toe_determinant"], chain).free_symbols
     assert Ct in free
     assert closed.K not in free
+
+
+@pytest.mark.parametrize(("track", "good"), [(2.19456, True), (1.0, False)])
+def test_the_body_on_legs_says_the_same(track: float, good: bool) -> None:
+    """Yaw stiffness by toe-in of `landing_roll`, its heave, pitch and roll taken as quick, no air.
+
+    With the loads, the height and the stiffnesses that it has there; the lean of the body and the
+    legs, which the criterion leaves out, are worth the rest.
+    """
+    model, speed = as_model("landing_roll"), 14.0
+    still = {f"mu_roll_{w}": 0.0 for w in ("left", "right", "third")}
+    plane = gr.Aircraft.load("cessna-170").replace(rho=1e-9, track=track, **still)
+    matrices = []
+    for angle in (0.002, -0.002):
+        rolls, _ = rolls_at(plane.replace(toe=angle), model, speed, {}, "test", [{"pedal": 1.0}])
+        z, found = solved(rolls, rolls.start(1))
+        assert found.all()
+        states, A, _ = lateral(rolls, z)
+        slow, quick = (
+            [states.index(s) for s in group] for group in (("v", "r"), ("w", "p", "q", "Z", "phi"))
+        )
+        quick.append(states.index("theta"))
+        part = [
+            [A[0][np.ix_(rows, columns)] for columns in (slow, quick)] for rows in (slow, quick)
+        ]
+        matrices.append(part[0][0] - part[0][1] @ np.linalg.solve(part[1][1], part[1][0]))
+    stiffness = (matrices[0] - matrices[1])[1, 0] / 0.004 * float(plane["Izz"]) * speed
+    at = rolls.at(z)
+    y = dict(zip(model.outputs, at.evaluate("g")["g"][0], strict=True))
+    q = {s: float(np.ravel(v)[0]) for s, v in at.values.items()}
+    load, third = (y["Fz_left"] + y["Fz_right"]) / 2, y["Fz_third"]
+    own = {s: plane[s] for s in ("m", "Izz", "b", "rho", "Ap", "CL_gamma", "B3", "C3", "track")}
+    height = q["z_main"] - load / q["k_main"]
+    own |= {
+        "u": speed,
+        "Fz": load,
+        "C_alpha": (q["B3"] + q["C3"] * load) * load,
+        "Ct": (q["B3_third"] + q["C3_third"] * third) * third,
+        "a": q["a"] * np.cos(q["theta"]) + height * np.sin(q["theta"]),
+        "h_cg": -q["Z"],
+    }
+    said = elementwise("toe_effects", {s: np.asarray(x, float) for s, x in own.items()})
+    assert bool(stiffness > 0) is good
+    assert float(said["toe_yaw_stiffness"]) == pytest.approx(stiffness, rel=0.2)
