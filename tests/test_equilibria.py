@@ -150,3 +150,45 @@ def test_many_cases_are_each_alone() -> None:
         one = gr.trim(PLANE, "rollout", **{**STRAIGHT, "crosswind": wind})
         assert one.count == many.count[k] == 1
         np.testing.assert_allclose(many["pedal"][k], one["pedal"], rtol=1e-9, atol=1e-12)
+
+
+def at_rest(**values: object) -> gr.Trim:
+    return gr.trim(PLANE, "landing_roll", speed=0, **values)
+
+
+def carried(found: gr.Trim) -> dict[str, float]:
+    return {s: float(found[f"load_{s}"][0]) for s in ("left", "right", "third")}
+
+
+def test_it_rests_on_its_legs() -> None:
+    found = at_rest()
+    assert found.count == 1
+    weight = float(PLANE["m"]) * float(PLANE["g"])
+    assert sum(carried(found).values()) == pytest.approx(weight, rel=1e-9)
+    assert float(found["load_left"][0]) == pytest.approx(float(found["load_right"][0]), rel=1e-9)
+    assert found.stable.all()
+
+
+@pytest.mark.parametrize("brakes", [0.0, 1.0])
+def test_it_stands_up_to_the_friction_there_is(brakes: float) -> None:
+    """A thrust is held up to rolling resistance, with locked wheels up to mu N of the mains."""
+    still = carried(at_rest(thrust=1.0))
+    held = 0.02 * sum(still.values())
+    if brakes:
+        mu = {s: float(PLANE["B5"]) + float(PLANE["C5"]) * still[s] for s in ("left", "right")}
+        held += sum((mu[s] - 0.02) * still[s] for s in ("left", "right"))
+    given = {"brake_left": brakes, "brake_right": brakes}
+    most = 0.95 * held
+    assert at_rest(thrust=most, **given).count == 1
+    beyond = at_rest(thrust=1.1 * held, **given)
+    assert beyond.count == 0
+    assert beyond.reasons[0]
+
+
+def test_brakes_hold_it_in_a_wind_that_rolls_it_away_without() -> None:
+    held = at_rest(crosswind="20 kt", brake_left=1, brake_right=1)
+    assert held.count == 1
+    assert float(held["load_right"][0]) > float(held["load_left"][0])
+    for s in ("u", "v", "r"):  # it creeps far below what a wheel does that rolls
+        assert abs(float(held[s][0])) < 0.01
+    assert "friction does not hold it" in at_rest(crosswind="20 kt").reasons[0]

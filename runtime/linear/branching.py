@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -27,9 +27,9 @@ from groundroll.stability.modes import modes_of
 
 from .conditions import named, pair_of, question_of, ranges_of, sought
 from .continuation import Curve, Follower
-from .equilibria import Question, widths_of
 from .operating_point import OperatingPoint, points_of, sorted_at
 from .points import Points
+from .scaled_system import SPAN, ScaledSystem, placed
 from .trimming import STARTS, is_clear, trim
 
 if TYPE_CHECKING:
@@ -37,9 +37,6 @@ if TYPE_CHECKING:
 
 BoolArray = npt.NDArray[np.bool_]
 
-#: How wide the range is, in widths of the other coordinates, and the part of it over which the
-#: slope by the parameter is taken.
-_SPAN, _PART = 10.0, 1e-6
 #: At how many values of the parameter equilibria are sought from which branches are followed.
 SEEDS = 9
 _WORDS = {"fold": "fold", "hopf": "Hopf point", "branch_point": "branch point"}
@@ -263,14 +260,14 @@ def branches(
         here = sorted_at(plane, chosen, {**given, over: at}, {}, "branches")
         return replace(points_of(chosen, here), shape=at.shape)
 
-    place = _placed(points, s, question.unknown, each)
+    place = placed(points, s, question.unknown, each)
     begin = trim(
         plane, chosen, {**given, over: grid}, solve_for=inputs, within=within, starts=starts
     )
-    steps = _Steps(place, question, moving, low, high)
+    steps = ScaledSystem(place, question, moving, low, high)
     first = [
         np.append([begin.values[x][i, k] for x in question.unknown] / steps.widths, share)
-        for i, share in enumerate(np.linspace(0.0, _SPAN, grid.size))
+        for i, share in enumerate(np.linspace(0.0, SPAN, grid.size))
         for k in range(int(begin.count[i]))
     ]
     limits = {
@@ -279,7 +276,7 @@ def branches(
         for end in ranges.get(x, ())
         if math.isfinite(end)
     }
-    curves = Follower(steps, _SPAN, limits).curves(first)
+    curves = Follower(steps, SPAN, limits).curves(first)
     alone = sorted_at(plane, chosen, given, {}, "branches")
     return _told(steps, curves, over=s, held=held, given=named(plane, alone), aircraft=plane)
 
@@ -292,76 +289,7 @@ def _symbol(model: Model, name: str) -> str:
     return name if name in model.states else kind_of(model, name, "branches")[1]
 
 
-def _placed(
-    points: Points, over: str, unknown: Sequence[str], each: Callable[[FloatArray], Points]
-) -> Callable[[FloatArray], Points]:
-    """What gives points at values of what is varied: at once, if nothing else follows from it."""
-    fixed = {s: x for s, x in points.values.items() if s not in (over, *unknown)}
-    if any(np.ndim(x) and (x != x.flat[0]).any() for x in fixed.values()):
-        return each
-    alone = {s: np.asarray(x.flat[0] if np.ndim(x) else x) for s, x in fixed.items()}
-
-    def place(at: FloatArray) -> Points:
-        zero = dict.fromkeys(unknown, np.zeros(()))
-        values = {s: {over: at, **zero, **alone}[s] for s in points.values}
-        return replace(points, values=values, shape=at.shape)
-
-    return place
-
-
-class _Steps:
-    """The system that is followed, in coordinates that are scaled."""
-
-    def __init__(
-        self,
-        place: Callable[[FloatArray], Points],
-        question: Question,
-        moving: tuple[str, ...],
-        low: float,
-        high: float,
-    ) -> None:
-        self.place, self.question, self.moving = place, question, moving
-        self.low, self.high = low, high
-        model = question.points.model
-        self.model, self.widths = model, widths_of(question)
-        wanted = {*question.vanish, *question.unknown, *moving}
-        self.states = tuple(s for s in model.states if s in wanted)
-        self.rows = [self.states.index(s) for s in question.vanish]
-        self.columns = [
-            self.states.index(s) if s in model.states else len(self.states) + model.inputs.index(s)
-            for s in question.unknown
-        ]
-        self.motion = [self.states.index(s) for s in moving]
-        self.scale: FloatArray | None = None
-
-    def over(self, share: Any) -> FloatArray:
-        """What is varied at a last coordinate."""
-        return np.asarray(self.low + (self.high - self.low) * np.asarray(share) / _SPAN)
-
-    def __call__(self, z: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        part = _PART * _SPAN
-        shares = np.clip(z[-1] + np.array([0.0, part, -part]), 0.0, _SPAN)
-        found = self.points(np.tile(z[:-1], (3, 1)), shares).evaluate(
-            "f", "fx", "fu", over=self.states
-        )
-        rates = found["f"][:, self.rows]
-        slopes = np.concatenate([found["fx"][0], found["fu"][0]], axis=-1)[self.rows]
-        by_over = (rates[1] - rates[2]) / (shares[1] - shares[2])
-        both = np.column_stack([slopes[:, self.columns] * self.widths, by_over])
-        if self.scale is None:
-            self.scale = np.abs(both).max(axis=1) + 1e-300
-        motion = found["fx"][0][np.ix_(self.motion, self.motion)]
-        return rates[0] / self.scale, both / self.scale[:, None], motion
-
-    def points(self, scaled: FloatArray, shares: FloatArray) -> Points:
-        """Points of the model at coordinates."""
-        points = self.place(self.over(shares))
-        at = (scaled * self.widths).T
-        unknown = dict(zip(self.question.unknown, np.ascontiguousarray(at), strict=True))
-        return replace(points, values={**points.values, **unknown})
-
-
-def _told(steps: _Steps, curves: Sequence[Curve], over: str, **about: Any) -> Branches:
+def _told(steps: ScaledSystem, curves: Sequence[Curve], over: str, **about: Any) -> Branches:
     model = steps.model
     every = np.concatenate([c.points for c in curves]) if curves else np.empty((0, 1))
     names = dict.fromkeys((over, *model.dynamic, *steps.question.unknown, *model.outputs))

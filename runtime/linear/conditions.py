@@ -18,6 +18,10 @@ from groundroll.model.names import listed
 from .equilibria import Question
 from .points import Points
 
+#: Parameter below whose speed friction fades; how often that speed something slides.
+_FADES, _SLIDES = "v_rest", 2.0
+#: How symbols of states of a wheel that swivels begin, which stick like the others at rest.
+_SWIVEL = "chi_"
 #: Where it is seen on what a model depends: so far, in SI, around where the search begins.
 _PLACES, _AROUND = 5, 0.03
 
@@ -91,6 +95,9 @@ def question_of(
     vanish = [s for s in model.dynamic if s not in idle]
     unknown = [s for s in vanish if s not in fixed] + list(inputs)
     heading = model.roles.get("heading")
+    if _is_rest(model, found, inputs):
+        rest = _at_rest(points, vanish, ranges)
+        return rest, (), tuple(s for s in model.dynamic if s not in rest.vanish)
     if heading in unknown and offset in model.states and len(vanish) <= len(unknown):
         vanish.append(offset)  # along the runway
     elif heading in idle and len(unknown) == len(vanish) + 1:
@@ -104,6 +111,31 @@ def question_of(
     if heading in unknown and offset not in vanish:
         ranges = {heading: (-math.pi, math.pi), **ranges}  # it may end up anywhere in the wind
     return Question(points, tuple(unknown), tuple(vanish), ranges), held, idle
+
+
+def _is_rest(model: Model, found: Given, inputs: tuple[str, ...]) -> bool:
+    """Whether the question is what stands still: a free speed is given, and is zero."""
+    speed = model.roles.get("speed")
+    given = found.states.get(speed) if speed in model.dynamic else None
+    return given is not None and not given.any() and not inputs and _FADES in model.parameters
+
+
+def _at_rest(
+    points: Points, vanish: list[str], ranges: Mapping[str, tuple[float, float]]
+) -> Question:
+    """What stands still by friction, where it points.
+
+    Friction near rest takes a creep below a speed that is a parameter; the more, the nearer it is
+    to all that there is. What creeps faster than some times that speed slides.
+    """
+    model = points.model
+    turned = model.roles.get("heading")
+    sticks = [s for s in vanish if s != turned and not s.startswith(_SWIVEL)]
+    fades = float(np.min(points.values[_FADES]))
+    creeping = [model.roles.get(role) for role in ("speed", "lateral_velocity", "yaw_rate")]
+    creep = {s: fades for s in creeping if s in sticks}
+    slow = dict.fromkeys(creep, (-_SLIDES * fades, _SLIDES * fades))
+    return Question(points, tuple(sticks), tuple(sticks), {**ranges, **slow}, creep)
 
 
 def _idle(points: Points) -> list[str]:

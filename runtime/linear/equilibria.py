@@ -8,7 +8,7 @@ of an equilibrium gets there.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,8 @@ BoolArray = npt.NDArray[np.bool_]
 _WIDTH = {"m/s": 1.0, "rad/s": 0.1, "rad": 0.05, "m": 0.02, "1": 0.2, "N": 500.0}
 #: Starts are up to so many widths from the first, steps up to so many long.
 _FAR, _LONGEST = 8.0, 4.0
+#: Power with which starts that creep crowd near zero.
+_SMALL = 9
 _STEPS, _SHORTEST = 80, 1e-4
 #: Rates relative to what the widths of the unknowns make of them: there, and not to be had better.
 _THERE, _ROUNDING = 1e-9, 1e-15
@@ -48,12 +50,15 @@ class Question:
         As many states, whose rates are to vanish.
     ranges : mapping of str to tuple of float
         Between what an unknown may be.
+    widths : mapping of str to float
+        How much of an unknown matters, where that is not by its unit.
     """
 
     points: Points
     unknown: tuple[str, ...]
     vanish: tuple[str, ...]
     ranges: Mapping[str, tuple[float, float]]
+    widths: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -99,7 +104,8 @@ def solve(question: Question, starts: int) -> Answer:
 def widths_of(question: Question) -> FloatArray:
     """How much of each unknown matters."""
     q = question.points.model.quantities
-    return np.array([_WIDTH.get(q[s].unit, 1.0) for s in question.unknown])
+    usual = {s: _WIDTH.get(q[s].unit, 1.0) for s in question.unknown}
+    return np.array([question.widths.get(s, width) for s, width in usual.items()])
 
 
 def _turned(question: Question, found: FloatArray) -> FloatArray:
@@ -118,12 +124,14 @@ def _starts(question: Question, starts: int) -> FloatArray:
         [np.broadcast_to(points.values[s], points.shape).reshape(-1) for s in question.unknown], -1
     )
     rng = np.random.default_rng(_SEED)
-    away = rng.uniform(-_FAR, _FAR, (starts, widths.size)) * widths
+    away = rng.uniform(-_FAR, _FAR, (starts, widths.size))
+    # what creeps may do so at any small speed
+    away = (away * (np.abs(away) / _FAR) ** (_SMALL if question.widths else 0)) * widths
     away[0] = 0.0
     places = first[:, None, :] + away
     for k, s in enumerate(question.unknown):
         low, high = question.ranges.get(s, (-np.inf, np.inf))
-        if np.isfinite([low, high]).all():
+        if np.isfinite([low, high]).all() and s not in question.widths:
             places[:, 1:, k] = rng.uniform(low, high, starts - 1)
         places[..., k] = np.clip(places[..., k], low, high)
     return places
@@ -234,7 +242,8 @@ def _why(question: Question, found: FloatArray, solved: BoolArray, left: FloatAr
             for k, s in enumerate(question.unknown)
             if beyond[nearest, k] > 0
         ]
-        return "; ".join(parts)
+        slides = "friction does not hold it: " if question.widths else ""
+        return slides + "; ".join(parts)
     names = ", ".join(q[s].name for s in question.unknown)
     return (
         f"no {names} was found for which all rates vanish, from {len(left)} starts; the least that"

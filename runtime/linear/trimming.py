@@ -243,6 +243,10 @@ def trim(
     given and no unknown is left to hold it, it is held by something else (`Trim.held`), and
     ``a_x`` tells what that would have to do.
 
+    At a speed of zero an aircraft stands where friction holds it, in the heading that is given:
+    friction near rest takes a creep, below `rest_speed`, and v, r and u are that. If there is no
+    such equilibrium it slides, rolls or turns.
+
     The thesis's models are reduced to one equation in the slip angle of the main tires (see the
     equation sheet), and it is proved by interval arithmetic that no equilibrium in the range is
     missed. Of other models those are given that Newton's method finds from `starts` places.
