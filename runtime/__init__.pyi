@@ -39,7 +39,7 @@ from .linear.response import (
     step_response as step_response,
 )
 from .linear.sensitivities import Sensitivities as Sensitivities
-from .linear.trimming import Trim as Trim
+from .linear.trim_result import Trim as Trim
 from .linear.trimming import trim as trim
 from .model.integration import integrator as integrator
 from .model.models import Model as Model

@@ -14,7 +14,7 @@ from . import options
 from .output import Output, emit, number, shown, table
 
 if TYPE_CHECKING:
-    from groundroll.linear.trimming import Trim
+    from groundroll.linear.trim_result import Trim
 
 
 @click.command(

@@ -15,7 +15,7 @@ from groundroll.base.errors import one_of
 KINDS = {
     "trajectory": "runs.simulation.Trajectory",
     "linearization": "linear.linearization.Linearization",
-    "trim": "linear.trimming.Trim",
+    "trim": "linear.trim_result.Trim",
     "branches": "linear.branching.Branches",
     "sweep": "stability.sweeps.Sweep",
     "map": "stability.maps.StabilityMap",
