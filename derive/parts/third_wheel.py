@@ -65,7 +65,8 @@ def third_wheel() -> Turned:
     back: their potential k o w/2 (ln 2 - ln(1 + exp((o^2 - x^2)/(o w)))) + const levels off, so
     that what they give back is never more than what they took.
     """
-    held = 1 / (1 + sp.exp((wound**2 - break_out**2) / (LETTING_GO * break_out**2)))
+    # the logistic function as a tanh: an exp grows without bound where the wheel turns far
+    held = (1 - sp.tanh((wound**2 - break_out**2) / (2 * LETTING_GO * break_out**2))) / 2
     beyond = ramp(chi - stop, HOLDING * stop) - ramp(-chi - stop, HOLDING * stop)
     turning = (trail * F_y - c_swivel * chi_rate - M_spring) / I_swivel
     return Turned(
