@@ -64,6 +64,8 @@ def facts(
             "events": [[e.name, e.quantity.name, e.rising, e.meaning] for e in model.events],
             "carried": [list(each) for each in kernels.carried],
             "seen": [list(each) for each in kernels.seen],
+            "stiff": kernels.stiff,
+            "over_time": kernels.over_time,
         }
     return _text(content)
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
 
+from groundroll.derive.core.frames import u
 from groundroll.derive.core.model import Derivation
 
 from .catalogue import Pack
@@ -24,12 +25,18 @@ class Kernels:
         The sets of states that they can carry, the smallest first.
     seen : tuple of tuple of str
         For each set the outputs that need no other state.
+    stiff : bool
+        Whether the model can come to rest, where friction is stiff.
+    over_time : bool
+        Whether they know inputs over time only.
     text : str
         C of all of them.
     """
 
     carried: tuple[tuple[str, ...], ...]
     seen: tuple[tuple[str, ...], ...]
+    stiff: bool
+    over_time: bool
     text: str
 
 
@@ -45,10 +52,13 @@ class SweepKernels:
 def integration_kernels(model: Derivation, module: ModuleType) -> Kernels:
     """Kernels of the states in body axes, of those that differ among them, and of everything."""
     body = _in_body_axes(model)
-    read = read_model(module.rhs(), module.outputs(), (_distinct(model, body), body))
+    offered = (_distinct(model, body), body)
+    read = read_model(module.rhs(), module.outputs(), offered, stiff=u in model.states)
     return Kernels(
         carried=tuple(tuple(str(model.states[j]) for j in each.states) for each in read.carried),
         seen=tuple(tuple(str(model.outputs[j]) for j in each.outputs) for each in read.carried),
+        stiff=read.stiff,
+        over_time=read.is_large,
         text=kernel_text(read),
     )
 

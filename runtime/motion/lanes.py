@@ -19,8 +19,8 @@ from groundroll.generated.compiler import NoCompilerError
 from groundroll.generated.kernels import load, useful_threads
 from groundroll.generated.library import say_once
 
-#: Trajectories that a thread integrates side by side.
-_LANES = 32
+#: Trajectories that a thread integrates side by side, by whether the model is stiff.
+_LANES = {False: 32, True: 8}
 #: Attempted steps after which a trajectory is given up.
 _MAX_STEPS = 500_000
 #: Most coefficients of a polynomial of an input, and most rows that can be watched.
@@ -290,7 +290,7 @@ def held(value: FloatArray) -> Pieces:
 def can_compile(model: Pack) -> bool:
     """Whether the kernels of a model can be compiled here; says so once if not."""
     try:
-        _library(model, _ENSEMBLE, 0, False)
+        _library(model, _ENSEMBLE, len(model.carried) - 1, model.over_time)
     except NoCompilerError as problem:
         say_once(
             "kernels",
@@ -365,7 +365,7 @@ def integrate(task: Task, threads: int = 1, into: Outcome | None = None) -> Outc
     job = _Job(
         n=n,
         max_steps=_MAX_STEPS,
-        threads=useful_threads(threads, -(-n // _LANES)),
+        threads=useful_threads(threads, -(-n // _LANES[model.stiff])),
         n_times=moments.size,
         n_watches=len(limits),
         observed=task.observed,
@@ -386,7 +386,7 @@ def integrate(task: Task, threads: int = 1, into: Outcome | None = None) -> Outc
         samples=samples.address if task.sampled else None,
         watches=ctypes.addressof(watches),
     )
-    kernel = _library(model, _ENSEMBLE, task.carry, signals is not None)
+    kernel = _library(model, _ENSEMBLE, task.carry, signals is not None or model.over_time)
     kernel.integrate(ctypes.byref(job))
     return outcome
 
@@ -479,7 +479,9 @@ class Stepper(threading.local):
             samples=samples.address,
         )
         self._reference = ctypes.byref(self._job)
-        self._trace: Any = _library(model, _TRAJECTORY, carry, bool(signals)).trace
+        self._trace: Any = _library(
+            model, _TRAJECTORY, carry, bool(signals) or model.over_time
+        ).trace
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Stepper, self._given_to

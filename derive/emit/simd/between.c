@@ -1,13 +1,5 @@
 /* ---- between the steps ------------------------------------------------------------------- */
 
-INLINE double dense(const block_t *b, int j, int l, double s)
-{
-    const double r = 1.0 - s;
-    const double end = b->d[5][j][l] + s * b->d[6][j][l];
-    const double inner = b->d[3][j][l] + s * (b->d[4][j][l] + r * end);
-    return b->x[j][l] + s * (b->d[0][j][l] + r * (b->d[1][j][l] + s * (b->d[2][j][l] + r * inner)));
-}
-
 /* Whether lane l has made a step. */
 INLINE int stepped(const block_t *b, int l) { return b->id[l] >= 0 && b->error[l] <= b->tau[l]; }
 

@@ -1,4 +1,4 @@
-/* Many trajectories side by side: DOP853, every lane with its own time, step and tolerance.
+/* Many trajectories side by side, every lane with its own time, step and tolerance.
  *
  * A block holds LANES trajectories as structure of arrays; every loop over lanes is a vector
  * loop.  A lane that has reached the end is written out and loaded with the next trajectory, so
@@ -7,28 +7,18 @@
  *
  * Never build with -ffast-math: it hides NaN and shares rounding errors between lanes.
  */
-enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8 };
+enum { NODES = 8 };
 
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0;
-static const double SHARE = 0.2;           /* local tolerance tau / tol */
-static const double TRUST = 0.5;           /* estimated global error / tol that is accepted */
-static const double REACH = 10.5, HOLD = 0.97;  /* see cap() */
-static const double GUARD = 0.7;           /* see measure() */
-static const double BETWEEN = 0.003;       /* see measure_between() */
 
-/* What is followed of the global error, see below. */
-#if PLANE && !VARYING
-typedef struct { lanes drift, past[NS], past2[NS], area, passed, spread, shift, doubt, trace; } errors_t;
-#else
-typedef struct { lanes e[NS], image[NS], mode[ND1], turn[ND1], doubt; } errors_t;
-#endif
+/* @CONSTANTS@ */
 
 typedef struct {
-    lanes c[NC], x[NS], begin[NS], f0[NS], scale[NS], weight[NS], xn[NS], e5[NS], e3[NS];
-    lanes k[DENSE_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1];
+    lanes c[NC], x[NS], begin[NS], f0[NS], scale[NS], weight[NS], xn[NS];
+    lanes k[KEPT_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1];
     lanes largest[WATCHES], first[WATCHES], size[WATCHES];
-    lanes mode[ND1], growth, rho, reach, t, h, h0, least, tau, error, local, sharp, head, tail;
-    lanes steps, state, theta, stop, finish;
+    lanes t, h, h0, least, tau, error, steps, state, theta, stop, finish;
+    method_t method;
     errors_t errors;
 #if VARYING
     inputs_t in;
@@ -74,93 +64,7 @@ INLINE void set_inputs_at(block_t *b, double fraction)
 #endif
 }
 
-/* ---- step control ------------------------------------------------------------------------ */
-
-/* Keep the step within REACH tau^(1/12) / |largest eigenvalue|.  Near the edge of stability the
- * fast modes that have died out make the error estimate blind, now and then by a factor of a
- * hundred.  The eigenvalue comes from a power iteration that makes one turn a step:
- * turn = J mode. */
-static void cap(block_t *b, lanes *turn)
-{
-    lanes size, grown;
-    LANE_LOOP size[l] = grown[l] = 0.0;
-    for (int j = 0; j < ND; ++j)
-        LANE_LOOP {
-            const double w = b->weight[j][l];
-            size[l] = larger(size[l], w * fabs(b->mode[j][l]));
-            grown[l] = larger(grown[l], w * fabs(turn[j][l]));
-        }
-    LANE_LOOP {
-        const double growth = grown[l] / (size[l] + DBL_MIN);
-        const double mean = sqrt(growth * b->growth[l]);
-        const double rho = larger(mean, HOLD * b->rho[l]), h = b->h[l];
-        b->growth[l] = growth;
-        b->rho[l] = rho;
-        b->h[l] = h * rho > b->reach[l] ? b->reach[l] / rho : h;
-        size[l] = growth > 0.0 ? 1.0 / grown[l] : 0.0;
-    }
-    for (int j = 0; j < ND; ++j)
-        LANE_LOOP b->mode[j][l] = size[l] > 0.0 ? turn[j][l] * size[l] : b->mode[j][l];
-}
-
-/* Rates at the stage's states in b->at, at c of the step. */
-static void stage_rates(block_t *b, int stage, double c)
-{
-    set_inputs_at(b, c);
-    rates(b->c, INPUTS(b), b->at, b->k[stage]);
-}
-
-/* @ERRORS@ */
-
-/* @STAGES@ */
-
-/* The interpolation's error: its last term, made smaller as the next one would be (h |eigenvalue|).
- * It may use up tol, while the error of the step stays below tau. */
-static void measure_between(block_t *b, double tol)
-{
-    for (int j = 0; j < NS; ++j)
-        LANE_LOOP {
-            const double s = larger(b->scale[j][l], fabs(b->xn[j][l]));
-            const double e = BETWEEN * (b->h[l] * b->rho[l] + 0.5) * fabs(b->d[6][j][l]) / s;
-            b->error[l] = larger(b->error[l], e * b->tau[l] / tol);
-        }
-}
-
-/* The step's error, and the velocity at its two ends, relative to each state's scale so far.  The
- * error is Hairer's combination of the two estimates of DOP853; the square of the third-order one,
- * which falls with the same power of h, guards against a fifth-order one that is zero by chance. */
-static void measure(block_t *b, double tol, int between)
-{
-    lanes five, three;
-    LANE_LOOP five[l] = three[l] = b->head[l] = b->tail[l] = 0.0;
-    for (int j = 0; j < NS; ++j) {
-        const double moves = j < ND ? 1.0 : 0.0;
-        LANE_LOOP {
-            const double w = 1.0 / larger(b->scale[j][l], fabs(b->xn[j][l]));
-            const double e5 = b->e5[j][l] * w, e3 = b->e3[j][l] * w;
-            b->weight[j][l] = w;
-            five[l] += e5 * e5;
-            three[l] += e3 * e3;
-            b->head[l] = larger(b->head[l], moves * w * fabs(b->k[0][j][l]));
-            b->tail[l] = larger(b->tail[l], moves * w * fabs(b->k[STAGES - 1][j][l]));
-        }
-    }
-    LANE_LOOP {
-        const double h = b->h[l];
-        const double pair = h * five[l] / sqrt(five[l] + 0.01 * three[l] + DBL_MIN);
-        b->local[l] = b->error[l] = larger(pair, GUARD * h * h * three[l]);
-        b->sharp[l] = five[l];
-    }
-    if (between)
-        measure_between(b, tol);
-}
-
-/* x^(-1/8), within 0.5 %: Newton from a guess by the exponent. */
-INLINE double inverse_eighth_root(double x)
-{
-    const double y = from_bits(5182826893670980608 - (bits(x) >> 3)), y2 = y * y, y4 = y2 * y2;
-    return y * (1.125 - 0.125 * x * y4 * y4);
-}
+/* @METHOD@ */
 
 /* Accept or reject lane by lane and choose the next step; says whether any lane has ended. */
 static int advance(block_t *b, double t_end, double max_steps)
@@ -180,7 +84,7 @@ static int advance(block_t *b, double t_end, double max_steps)
         const double goal = t_end;
 #endif
         const double ratio = b->error[l] / b->tau[l];
-        const double wish = SAFETY * inverse_eighth_root(smaller(ratio, 1e30) + 1e-30);
+        const double wish = next_factor(b, l, ratio);
         const double factor = ratio == ratio ? larger(smaller(wish, GROW), SHRINK) : SHRINK;
         const double past = b->h[l] >= goal - b->t[l] ? goal : b->t[l] + b->h[l];
         const double t = ratio <= 1.0 ? past : b->t[l], rest = goal - t, h = b->h[l] * factor;
@@ -240,7 +144,7 @@ static void queue_rates(queue_t *q, int k, double t, lanes *x)
 /* First steps: an explicit Euler probe measures how fast the velocity changes. */
 static void first_steps(queue_t *q, double t_end, double tau)
 {
-    const double probe = 1e-4 * t_end, ease = 0.5 * pow(tau, 0.125);
+    const double probe = 1e-4 * t_end, ease = 0.5 * pow(tau, 1.0 / ORDER);
     queue_rates(q, 0, 0.0, q->x);
     for (int j = 0; j < NS; ++j)
         LANE_LOOP q->xn[j][l] = q->x[j][l] + probe * q->k[0][j][l];
@@ -297,15 +201,11 @@ static void restart(block_t *b, int l, const job_t *job, double tau, double h)
         b->first[i][l] = INFINITY;
         b->size[i][l] = 0.0;
     }
-    if (b->tau[l] != tau)
-        b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
+    begin_method(b, l, tau);
     b->tau[l] = tau;
     b->h[l] = h;
     b->t[l] = 0.0;
     b->state[l] = RUNNING;
-    b->growth[l] = b->rho[l] = 0.0;
-    for (int j = 0; j < ND; ++j)
-        b->mode[j][l] = b->f0[j][l];
     b->next[l] = 0;
     b->cause[l] = -1;
     b->stop[l] = 1.0;
@@ -379,7 +279,7 @@ static int retry(block_t *b, int l, const job_t *job)
     }
     const double finer = larger(0.3 * b->tau[l] * trusted / found, FINEST);
     ++b->retries[l];
-    restart(b, l, job, finer, b->h0[l] * pow(finer / b->tau[l], 0.125));
+    restart(b, l, job, finer, b->h0[l] * pow(finer / b->tau[l], 1.0 / ORDER));
     return 1;
 }
 
@@ -399,7 +299,7 @@ static void work(const job_t *job, int64_t *shared)
     for (int l = 0; l < LANES; ++l)
         running += load(&b, l, &q, job, shared, tau);
     while (running) {
-        attempt(&b);
+        attempt(&b, job);
         if (between)
             prepare_dense(&b);
         measure(&b, job->tol, between);

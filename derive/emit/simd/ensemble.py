@@ -1,78 +1,24 @@
-"""C text of the driver that integrates many trajectories side by side, by DOP853."""
+"""C text of the drivers that integrate many trajectories side by side."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cache
 
-from .lanes import NUMBERS, block, literal, template
+from .explicit import explicit_method, explicit_types
+from .implicit import implicit_method, implicit_types
+from .lanes import template
 
-LANES = 32
-_TABLEAU = NUMBERS["dop853"]
-_LAST, _DENSE_LAST = 12, 16  # stages of a step, and of a step with dense output
+#: Lanes of a block: many, so that the latencies of short right-hand sides overlap; and one vector,
+#: so that what a step of a stiff model needs stays in the nearest cache.
+LANES, STIFF_LANES = 32, 8
 
 
 @cache
-def ensemble_driver() -> str:
-    """The driver, with the numbers of the method."""
-    stages = "\n".join([*map(_stage, range(1, _DENSE_LAST)), _attempt(), _dense()])
+def ensemble_driver(stiff: bool) -> str:
+    """The driver, with steps of the method for stiff models or of that for others."""
     pieces = {
-        "/* @STAGES@ */": stages,
-        "/* @ERRORS@ */": template("errors.c", {}),
+        "/* @CONSTANTS@ */": implicit_types() if stiff else explicit_types(),
+        "/* @METHOD@ */": implicit_method() if stiff else explicit_method(),
         "/* @BETWEEN@ */": template("between.c", {}),
     }
     return template("ensemble.c", pieces)
-
-
-def _combination(row: Sequence[float]) -> str:
-    """Sum of coefficients times the rates of a state at the stages, without the zeros."""
-    return " + ".join(f"{literal(a)} * b->k[{i}][j][l]" for i, a in enumerate(row) if a)
-
-
-def _stage(index: int) -> str:
-    """``stage<index>(b)``: the states at a stage, then the rates."""
-    value = "b->xn[j][l]"
-    if index != _LAST:
-        value = f"b->x[j][l] + b->h[l] * ({_combination(_TABLEAU['A'][index])})"
-    body = (
-        "for (int j = 0; j < ND; ++j)",
-        f"    LANE_LOOP b->at[j][l] = {value};",
-        f"stage_rates(b, {index}, {literal(_TABLEAU['C'][index])});",
-    )
-    return block(f"static void stage{index}(block_t *b)", body)
-
-
-def _attempt() -> str:
-    """``attempt(b)``: the stages, the new states and the two error sums of every state."""
-    body = (
-        "first_stage(b);",
-        *(f"stage{index}(b);" for index in range(1, _LAST)),
-        "for (int j = 0; j < NS; ++j)",
-        "    LANE_LOOP {",
-        f"        b->xn[j][l] = b->x[j][l] + b->h[l] * ({_combination(_TABLEAU['B'])});",
-        f"        b->e5[j][l] = {_combination(_TABLEAU['E5'])};",
-        f"        b->e3[j][l] = {_combination(_TABLEAU['E3'])};",
-        "    }",
-    )
-    return block("static void attempt(block_t *b)", body)
-
-
-def _dense() -> str:
-    """``prepare_dense(b)``: the extra stages and the coefficients of the interpolation."""
-    rows = (
-        f"        b->d[{i}][j][l] = h * ({_combination(row)});"
-        for i, row in enumerate(_TABLEAU["D"], start=3)
-    )
-    body = (
-        *(f"stage{index}(b);" for index in range(_LAST, _DENSE_LAST)),
-        "for (int j = 0; j < NS; ++j)",
-        "    LANE_LOOP {",
-        "        const double h = b->h[l], move = b->xn[j][l] - b->x[j][l];",
-        "        const double slope = h * b->k[0][j][l];",
-        "        b->d[0][j][l] = move;",
-        "        b->d[1][j][l] = slope - move;",
-        f"        b->d[2][j][l] = 2.0 * move - (h * b->k[{_LAST}][j][l] + slope);",
-        *rows,
-        "    }",
-    )
-    return block("static void prepare_dense(block_t *b)", body)

@@ -19,7 +19,7 @@ static const double REST = 1e-9;           /* scales per t_end: slower than that
 static void first_stage(block_t *b)
 {
     lanes turn[ND1];
-    turns(b->c, b->x, b->mode, b->k[0], turn, b->errors.trace);
+    turns(b->c, b->x, b->method.mode, b->k[0], turn, b->errors.trace);
     cap(b, turn);
 }
 
@@ -35,8 +35,8 @@ static void follow_error(block_t *b, double t_end)
     errors_t *e = &b->errors;
     const double rest = REST / t_end;
     LANE_LOOP {
-        const double local = b->error[l] <= b->tau[l] ? b->local[l] : 0.0;
-        const double head = larger(b->head[l], rest), tail = b->tail[l], per_head = 1.0 / head;
+        const double local = b->error[l] <= b->tau[l] ? b->method.local[l] : 0.0;
+        const double head = larger(b->method.head[l], rest), tail = b->method.tail[l], per_head = 1.0 / head;
         const double trace = e->trace[l], shift = local * per_head, side = local * head;
         const double grown = swell(0.5 * e->passed[l] * (e->spread[l] + trace));
         const double area = e->area[l] * grown * grown, across = ACROSS * per_head;
@@ -66,7 +66,7 @@ static double estimate(const block_t *b, int l, double t_end)
 {
     const errors_t *e = &b->errors;
     const double grown = swell(e->passed[l] * e->spread[l]);
-    const double across = ACROSS * grown / larger(b->tail[l], REST / t_end);
+    const double across = ACROSS * grown / larger(b->method.tail[l], REST / t_end);
     return sqrt(larger(e->doubt[l], e->area[l] * across * across));
 }
 
@@ -89,7 +89,7 @@ static void first_stage(block_t *b)
 {
     errors_t *e = &b->errors;
     set_inputs_at(b, 0.0);
-    memcpy(e->mode, b->mode, sizeof e->mode);
+    memcpy(e->mode, b->method.mode, sizeof e->mode);
     turns(b->c, INPUTS(b), b->x, e->e, e->mode, b->k[0], e->image, e->turn);
     /* a derivative that does not exist, as of |x| at 0, says nothing */
     for (int j = 0; j < NS; ++j)
@@ -150,11 +150,11 @@ static void follow_error(block_t *b, double t_end)
         own[l] = one - two * part - drift[l] * (a11 - a21 * part);
         side[l] = two - drift[l] * a21;
         ee[l] = em[l] = 0.0;
-        scale[l] = h > 0.0 ? b->local[l] / sqrt(b->sharp[l] + DBL_MIN) : 0.0;
+        scale[l] = h > 0.0 ? b->method.local[l] / sqrt(b->method.sharp[l] + DBL_MIN) : 0.0;
     }
     for (int j = 0; j < ND; ++j)
         LANE_LOOP {
-            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->e5[j][l] : 0.0;
+            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->method.e5[j][l] : 0.0;
             const double moved = own[l] * e->e[j][l] + side[l] * e->mode[j][l] + drift[l] * e->image[j][l];
             e->e[j][l] = moved;
             ee[l] += w * moved * w * moved;
@@ -162,7 +162,7 @@ static void follow_error(block_t *b, double t_end)
         }
     for (int j = ND; j < NS; ++j)
         LANE_LOOP {
-            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->e5[j][l] : 0.0;
+            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->method.e5[j][l] : 0.0;
             const double moved = e->e[j][l] + drift[l] * e->image[j][l];
             e->e[j][l] = moved;
             ee[l] += w * moved * w * moved;
@@ -170,14 +170,14 @@ static void follow_error(block_t *b, double t_end)
         }
     LANE_LOOP {
         /* the sum points where both do, and is as long as two sides of a right angle */
-        const double local = scale[l] > 0.0 ? b->local[l] : 0.0, sum = ee[l] + local * local;
+        const double local = scale[l] > 0.0 ? b->method.local[l] : 0.0, sum = ee[l] + local * local;
         e->doubt[l] = larger(e->doubt[l], sum);
         own[l] = sqrt(sum / (sum + 2.0 * fabs(em[l]) + DBL_MIN));
         scale[l] = em[l] < 0.0 ? -scale[l] : scale[l];
     }
     for (int j = 0; j < NS; ++j)
         LANE_LOOP {
-            const double add = scale[l] != 0.0 ? scale[l] * b->e5[j][l] : 0.0;
+            const double add = scale[l] != 0.0 ? scale[l] * b->method.e5[j][l] : 0.0;
             e->e[j][l] = own[l] * (e->e[j][l] + add);
         }
 }

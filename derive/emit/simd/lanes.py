@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -101,6 +102,9 @@ def guarded(condition: str, text: str) -> str:
     return f"#if {condition}\n{text}#endif\n"
 
 
+#: The name of a C parameter.
+_NAME = re.compile(r"\*+(\w+)")
+
 # --- Phases -----------------------------------------------------------------------------------
 
 
@@ -181,7 +185,7 @@ def phase_functions(
         body += [place.format(operand(graph, node, local)) for node, place in out]
         functions.append(block(f"INLINE void {part}{step}({parameters})", body))
         known |= {n: scratch[n] for n in plan.crossing if plan.phase[n] == step}
-    call = ", ".join([*(array.split()[-1].lstrip("*") for array in arrays), "w", "l"])
+    call = ", ".join([*(_NAME.findall(array)[0] for array in arrays), "w", "l"])
     loops = [f"LANE_LOOP {part}{step}({call});" for step in range(plan.count)]
     room = f"lanes w[{max(1, len(plan.crossing))}];"
     functions.append(block(f"APART void {name}({', '.join(arrays)})", [room, *loops]))

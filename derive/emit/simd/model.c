@@ -17,6 +17,7 @@
 #ifndef VARYING
 #define VARYING 0
 #endif
+/* @ALWAYS@ */
 
 #if DRIVER == 2
 enum { LANES = @NODES@ };                    /* moments of a step */
@@ -89,6 +90,8 @@ typedef struct {
 #define PICK(x, s, i) ((s) >= 0 ? (x)[(s) >= 0 ? (s) : 0][i] : 0.0)
 #define MOVE(x, s) ((s) < ND ? PICK(x, s, l) : 0.0)
 #define WRITE(f, s, v) do { if ((s) >= 0) (f)[(s) >= 0 ? (s) : 0][l] = (v); } while (0)
+#define WRITE_ENTRY(J, i, j, v) \
+    do { if ((i) >= 0 && (j) >= 0 && (j) < ND) (J)[(i) >= 0 ? (i) : 0][(j) >= 0 ? (j) : 0][l] = (v); } while (0)
 #define WRITE_MOVING(f, s, v) do { if ((s) < ND) WRITE(f, s, v); } while (0)
 
 /* @MODEL@ */
@@ -106,7 +109,12 @@ typedef struct {
 static void enter(inputs_t *in, int l, const job_t *job, int64_t i, double t)
 {
     in->until[l] = INFINITY;
-    for (int j = 0; j < NU; ++j) {
+    for (int j = 0; j < NU && !job->signals; ++j) {
+        in->row[j][1][l] = job->p[j][i * job->p_stride[j]];
+        for (int m = 2; m <= TERMS; ++m)
+            in->row[j][m][l] = 0.0;
+    }
+    for (int j = 0; j < NU && job->signals; ++j) {
         const signal_t *s = &job->signals[j];
         const double *start = s->start + i * s->start_stride;
         int64_t k = in->piece[j][l];
@@ -133,7 +141,7 @@ static void enter_first(inputs_t *in, int l, const job_t *job, int64_t i)
 static int most_terms(const job_t *job)
 {
     int64_t most = 1;
-    for (int j = 0; j < NU; ++j)
+    for (int j = 0; j < NU && job->signals; ++j)
         most = job->signals[j].terms > most ? job->signals[j].terms : most;
     return (int)most;
 }

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import casadi as ca
 
-from .ensemble import LANES, ensemble_driver
+from .ensemble import LANES, STIFF_LANES, ensemble_driver
 from .graph import Graph
 from .lanes import (
     block,
@@ -26,6 +26,9 @@ from .lanes import (
 )
 from .sums import read
 from .trajectory import NODES, trajectory_driver
+
+#: Nodes of a right-hand side from which on a model is large.
+_LARGE = 400
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,8 @@ class Equations:
         Derivatives of the rates along an error ``e`` and along a mode ``m``.
     spread : int
         Trace of the Jacobian.
+    jacobian : dict
+        Of a stiff model its entries by row and column, but those that are always zero.
     varying : bool
         Whether inputs change in time.
     """
@@ -70,13 +75,14 @@ class Equations:
     along: list[int]
     turns: list[int]
     spread: int
+    jacobian: dict[tuple[int, int], int]
     varying: bool
 
     @cached_property
     def constants(self) -> list[int]:
         """What does not change over a trajectory."""
         needed = [*self.rates, *self.outputs, *self.along, *self.turns, self.spread]
-        return self.graph.hoisted(needed)
+        return self.graph.hoisted([*needed, *self.jacobian.values()])
 
 
 @dataclass(frozen=True)
@@ -91,6 +97,8 @@ class KernelModel:
         With constant inputs, and with inputs over time.
     in_plane : bool
         Whether two states drive each other and the rest follows.
+    stiff : bool
+        Whether steps are implicit.
     n_inputs, n_parameters : int
     """
 
@@ -98,12 +106,21 @@ class KernelModel:
     held: Equations
     varying: Equations
     in_plane: bool
+    stiff: bool
     n_inputs: int
     n_parameters: int
 
+    @property
+    def is_large(self) -> bool:
+        """Whether constant inputs save too little to be worth code of their own."""
+        return len(self.varying.graph.closure(self.varying.rates)) > _LARGE
+
 
 def read_model(
-    rhs: ca.Function, outputs: ca.Function, keep: Iterable[Iterable[int]] = ()
+    rhs: ca.Function,
+    outputs: ca.Function,
+    keep: Iterable[Iterable[int]] = (),
+    stiff: bool = False,
 ) -> KernelModel:
     """Read a model's functions.
 
@@ -113,8 +130,10 @@ def read_model(
         SX functions (x, u, p) -> xdot and (x, u, p) -> y.
     keep : iterable of iterables of int
         Sets of states that are offered beside the set of all; what they depend on is added.
+    stiff : bool
+        Whether steps are to be implicit.
     """
-    held, varying = _equations(rhs, outputs, False), _equations(rhs, outputs, True)
+    held, varying = (_equations(rhs, outputs, each, stiff) for each in (False, True))
     needs = _needs(rhs)
     seen = _needs(outputs)
     sets = [_carried(needs, seen, states) for states in (*keep, range(len(needs)))]
@@ -124,12 +143,13 @@ def read_model(
         held=held,
         varying=varying,
         in_plane=len(core) == 2,
+        stiff=stiff,
         n_inputs=rhs.numel_in(1),
         n_parameters=rhs.numel_in(2),
     )
 
 
-def _equations(rhs: ca.Function, outputs: ca.Function, varying: bool) -> Equations:
+def _equations(rhs: ca.Function, outputs: ca.Function, varying: bool, stiff: bool) -> Equations:
     graph = Graph()
     n_states, n_inputs, n_parameters = (rhs.numel_in(k) for k in range(3))
     x, e, m = ([graph.leaf(f"{kind}{j}", True) for j in range(n_states)] for kind in "xem")
@@ -145,7 +165,9 @@ def _equations(rhs: ca.Function, outputs: ca.Function, varying: bool) -> Equatio
         for each in (e, m)
     )
     (spread,) = read(graph, _divergence(rhs, moving), leaves)
-    return Equations(graph, rates, seen, along, turns, spread, varying)
+    entries, jacobian = _jacobian(rhs)
+    found = dict(zip(entries, read(graph, jacobian, leaves), strict=True)) if stiff else {}
+    return Equations(graph, rates, seen, along, turns, spread, found, varying)
 
 
 # --- What depends on what ----------------------------------------------------------------------
@@ -200,6 +222,15 @@ def _divergence(rhs: ca.Function, moving: Sequence[int]) -> ca.Function:
     return ca.Function("divergence", arguments, [ca.densify(spread)])
 
 
+def _jacobian(rhs: ca.Function) -> tuple[list[tuple[int, int]], ca.Function]:
+    """Places of the entries of the Jacobian by the states, and the function that gives them."""
+    arguments = rhs.sx_in()
+    matrix = ca.sparsify(ca.jacobian(rhs(*arguments), arguments[0]))
+    places = list(zip(*matrix.sparsity().get_triplet(), strict=True))
+    entries = ca.vertcat(ca.SX(0, 1), *(matrix[i, j] for i, j in places))
+    return places, ca.Function("entries", arguments, [entries])
+
+
 # --- Functions of the model --------------------------------------------------------------------
 
 
@@ -249,6 +280,16 @@ def _turns(equations: Equations) -> str:
     return phase_functions("turn", "turns", equations, targets, arrays, _READ)
 
 
+def _jacobians(equations: Equations) -> str:
+    """``jacobian(c, u, x, f, J)``: rates, and their derivatives by the dynamic states."""
+    targets = [(node, f"WRITE(f, S{j}, {{}});") for j, node in enumerate(equations.rates)]
+    targets += [
+        (node, f"WRITE_ENTRY(J, S{i}, S{j}, {{}});") for (i, j), node in equations.jacobian.items()
+    ]
+    arrays = (*(f"const lanes *{s}" for s in "cux"), "lanes *f", "lanes (*J)[ND1]")
+    return phase_functions("entry", "jacobian", equations, targets, arrays, _READ)
+
+
 def _outputs(equations: Equations) -> Iterator[str]:
     """``output``, and with it ``observe_lanes(c, u, x, y)`` and ``observe_row(c, l, u, x, y, n)``.
 
@@ -290,25 +331,29 @@ def kernel_text(model: KernelModel) -> str:
     """C source: what every kernel begins with, the model, and the drivers."""
     plane = _plane_turns(model.held) if model.in_plane else _turns(model.held)
     kinds = ((model.varying, _turns(model.varying)), (model.held, plane))
-    varying, held = ("\n".join(_functions(*each)) for each in kinds)
+    derivatives = ((e, _jacobians(e) if model.stiff else turns) for e, turns in kinds)
+    varying, held = ("\n".join(_functions(*each)) for each in derivatives)
+    both = f"#if VARYING\n{varying}\n#else\n{held}\n#endif"
+    only = "#undef VARYING\n#define VARYING 1"
     return template(
         "model.c",
         {
-            "@LANES@": str(LANES),
+            "@LANES@": str(STIFF_LANES if model.stiff else LANES),
             "@NODES@": str(NODES),
             "/* @ELEMENTARY@ */": elementary(),
             "/* @SIZES@ */": "\n".join(_sizes(model)),
-            "/* @MODEL@ */": f"#if VARYING\n{varying}\n#else\n{held}\n#endif",
-            "/* @ENSEMBLE@ */": ensemble_driver(),
+            "/* @ALWAYS@ */": only if model.is_large else "",
+            "/* @MODEL@ */": varying if model.is_large else both,
+            "/* @ENSEMBLE@ */": ensemble_driver(model.stiff),
             "/* @TRAJECTORY@ */": trajectory_driver(),
         },
     )
 
 
-def _functions(equations: Equations, turns: str) -> Iterator[str]:
+def _functions(equations: Equations, derivatives: str) -> Iterator[str]:
     yield _constants(equations)
     yield _rates(equations)
-    yield guarded("DRIVER == 1", turns)
+    yield guarded("DRIVER == 1", derivatives)
     yield from _outputs(equations)
 
 
