@@ -80,6 +80,10 @@ class Pack:
     carried, seen : tuple of tuple of str
         The sets of states that its kernels can carry, the smallest first, and for each the outputs
         that need no other state.
+    stiff : bool
+        Whether it comes to rest, or is stiff for another reason.
+    over_time : bool
+        Whether its kernels know inputs over time only, of which constant ones are a case.
     """
 
     folder: Path
@@ -101,6 +105,8 @@ class Pack:
     events: tuple[Event, ...] = ()
     carried: tuple[tuple[str, ...], ...] = ()
     seen: tuple[tuple[str, ...], ...] = ()
+    stiff: bool = False
+    over_time: bool = False
 
     def __hash__(self) -> int:
         return hash((self.folder, self.digest))
@@ -236,5 +242,7 @@ def _pack(folder: Path, facts: Mapping[str, Any]) -> Pack:
         events=tuple(Event(*event) for event in facts.get("events", ())),
         carried=tuple(map(tuple, facts.get("carried", ()))),
         seen=tuple(map(tuple, facts.get("seen", ()))),
+        stiff=bool(facts.get("stiff", False)),
+        over_time=bool(facts.get("over_time", False)),
         **groups,
     )

@@ -1,4 +1,4 @@
-# Generated from derive/ (digest 9576b510968f8282) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
+# Generated from derive/ (digest 0d0ebfc0fdc11d3e) with SymPy 1.14.0 and CasADi 3.8.2: do not edit, run `make derive`.
 """A rigid body on three wheels with legs, in wind, braked and steered, until it stops."""
 
 from functools import cache
@@ -193,7 +193,7 @@ def rhs() -> ca.Function:
     w97 = (101/100)*stop
     w99 = ca.fmax(0, ca.fmin(1, 100*(chi_third - stop)/stop))
     w100 = ca.fmax(0, ca.fmin(1, 100*(-chi_third - stop)/stop))
-    M_spring_third = k_stop*(-1/100*stop*w100**3*(3*w100**2 - 8*w100 + 6) + (1/100)*stop*w99**3*(3*w99**2 - 8*w99 + 6) - ca.fmax(0, -chi_third - w97) + ca.fmax(0, chi_third - w97)) + k_swivel*wound_third/(ca.exp(20*(-break_out**2 + wound_third**2)/break_out**2) + 1)  # springs
+    M_spring_third = k_stop*(-1/100*stop*w100**3*(3*w100**2 - 8*w100 + 6) + (1/100)*stop*w99**3*(3*w99**2 - 8*w99 + 6) - ca.fmax(0, -chi_third - w97) + ca.fmax(0, chi_third - w97)) + k_swivel*wound_third*(1/2 - 1/2*ca.tanh(10*(-break_out**2 + wound_third**2)/break_out**2))  # springs
     delta_third = commanded_third + swivels*wound_third  # linkage or swivel
     slope_third = R_Zx*ca.cos(delta_third) + R_Zy*ca.sin(delta_third)  # direction cosine
     flat_third = ca.sqrt(1 - slope_third**2)  # projection on the runway

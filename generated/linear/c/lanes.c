@@ -19,6 +19,7 @@
 #define VARYING 0
 #endif
 
+
 #if DRIVER == 2
 enum { LANES = 16 };                    /* moments of a step */
 #else
@@ -294,6 +295,8 @@ typedef struct {
 #define PICK(x, s, i) ((s) >= 0 ? (x)[(s) >= 0 ? (s) : 0][i] : 0.0)
 #define MOVE(x, s) ((s) < ND ? PICK(x, s, l) : 0.0)
 #define WRITE(f, s, v) do { if ((s) >= 0) (f)[(s) >= 0 ? (s) : 0][l] = (v); } while (0)
+#define WRITE_ENTRY(J, i, j, v) \
+    do { if ((i) >= 0 && (j) >= 0 && (j) < ND) (J)[(i) >= 0 ? (i) : 0][(j) >= 0 ? (j) : 0][l] = (v); } while (0)
 #define WRITE_MOVING(f, s, v) do { if ((s) < ND) WRITE(f, s, v); } while (0)
 
 #if VARYING
@@ -882,7 +885,12 @@ typedef struct {
 static void enter(inputs_t *in, int l, const job_t *job, int64_t i, double t)
 {
     in->until[l] = INFINITY;
-    for (int j = 0; j < NU; ++j) {
+    for (int j = 0; j < NU && !job->signals; ++j) {
+        in->row[j][1][l] = job->p[j][i * job->p_stride[j]];
+        for (int m = 2; m <= TERMS; ++m)
+            in->row[j][m][l] = 0.0;
+    }
+    for (int j = 0; j < NU && job->signals; ++j) {
         const signal_t *s = &job->signals[j];
         const double *start = s->start + i * s->start_stride;
         int64_t k = in->piece[j][l];
@@ -909,7 +917,7 @@ static void enter_first(inputs_t *in, int l, const job_t *job, int64_t i)
 static int most_terms(const job_t *job)
 {
     int64_t most = 1;
-    for (int j = 0; j < NU; ++j)
+    for (int j = 0; j < NU && job->signals; ++j)
         most = job->signals[j].terms > most ? job->signals[j].terms : most;
     return (int)most;
 }
@@ -939,7 +947,7 @@ static void inputs_row(const inputs_t *in, int terms, int l, const double *t, do
 #endif
 
 #if DRIVER == 1
-/* Many trajectories side by side: DOP853, every lane with its own time, step and tolerance.
+/* Many trajectories side by side, every lane with its own time, step and tolerance.
  *
  * A block holds LANES trajectories as structure of arrays; every loop over lanes is a vector
  * loop.  A lane that has reached the end is written out and loaded with the next trajectory, so
@@ -948,14 +956,22 @@ static void inputs_row(const inputs_t *in, int terms, int l, const double *t, do
  *
  * Never build with -ffast-math: it hides NaN and shares rounding errors between lanes.
  */
-enum { STAGES = 12, DENSE_STAGES = 16, DENSE_TERMS = 7, NODES = 8 };
+enum { NODES = 8 };
 
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0;
+
+/* DOP853: Dormand and Prince's eighth-order pair, with Hairer's error estimates and dense output. */
+enum { STAGES = 12, KEPT_STAGES = 16, DENSE_TERMS = 7, ORDER = 8 };
+
 static const double SHARE = 0.2;           /* local tolerance tau / tol */
 static const double TRUST = 0.5;           /* estimated global error / tol that is accepted */
 static const double REACH = 10.5, HOLD = 0.97;  /* see cap() */
 static const double GUARD = 0.7;           /* see measure() */
 static const double BETWEEN = 0.003;       /* see measure_between() */
+
+typedef struct {
+    lanes e5[NS], e3[NS], mode[ND1], growth, rho, reach, local, sharp, head, tail;
+} method_t;
 
 /* What is followed of the global error, see below. */
 #if PLANE && !VARYING
@@ -964,12 +980,13 @@ typedef struct { lanes drift, past[NS], past2[NS], area, passed, spread, shift, 
 typedef struct { lanes e[NS], image[NS], mode[ND1], turn[ND1], doubt; } errors_t;
 #endif
 
+
 typedef struct {
-    lanes c[NC], x[NS], begin[NS], f0[NS], scale[NS], weight[NS], xn[NS], e5[NS], e3[NS];
-    lanes k[DENSE_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1];
+    lanes c[NC], x[NS], begin[NS], f0[NS], scale[NS], weight[NS], xn[NS];
+    lanes k[KEPT_STAGES][NS], d[DENSE_TERMS][NS], at[NS], y[NY1];
     lanes largest[WATCHES], first[WATCHES], size[WATCHES];
-    lanes mode[ND1], growth, rho, reach, t, h, h0, least, tau, error, local, sharp, head, tail;
-    lanes steps, state, theta, stop, finish;
+    lanes t, h, h0, least, tau, error, steps, state, theta, stop, finish;
+    method_t method;
     errors_t errors;
 #if VARYING
     inputs_t in;
@@ -1015,7 +1032,7 @@ INLINE void set_inputs_at(block_t *b, double fraction)
 #endif
 }
 
-/* ---- step control ------------------------------------------------------------------------ */
+/* ---- a step of DOP853 --------------------------------------------------------------------- */
 
 /* Keep the step within REACH tau^(1/12) / |largest eigenvalue|.  Near the edge of stability the
  * fast modes that have died out make the error estimate blind, now and then by a factor of a
@@ -1028,20 +1045,20 @@ static void cap(block_t *b, lanes *turn)
     for (int j = 0; j < ND; ++j)
         LANE_LOOP {
             const double w = b->weight[j][l];
-            size[l] = larger(size[l], w * fabs(b->mode[j][l]));
+            size[l] = larger(size[l], w * fabs(b->method.mode[j][l]));
             grown[l] = larger(grown[l], w * fabs(turn[j][l]));
         }
     LANE_LOOP {
         const double growth = grown[l] / (size[l] + DBL_MIN);
-        const double mean = sqrt(growth * b->growth[l]);
-        const double rho = larger(mean, HOLD * b->rho[l]), h = b->h[l];
-        b->growth[l] = growth;
-        b->rho[l] = rho;
-        b->h[l] = h * rho > b->reach[l] ? b->reach[l] / rho : h;
+        const double mean = sqrt(growth * b->method.growth[l]);
+        const double rho = larger(mean, HOLD * b->method.rho[l]), h = b->h[l];
+        b->method.growth[l] = growth;
+        b->method.rho[l] = rho;
+        b->h[l] = h * rho > b->method.reach[l] ? b->method.reach[l] / rho : h;
         size[l] = growth > 0.0 ? 1.0 / grown[l] : 0.0;
     }
     for (int j = 0; j < ND; ++j)
-        LANE_LOOP b->mode[j][l] = size[l] > 0.0 ? turn[j][l] * size[l] : b->mode[j][l];
+        LANE_LOOP b->method.mode[j][l] = size[l] > 0.0 ? turn[j][l] * size[l] : b->method.mode[j][l];
 }
 
 /* Rates at the stage's states in b->at, at c of the step. */
@@ -1072,7 +1089,7 @@ static const double REST = 1e-9;           /* scales per t_end: slower than that
 static void first_stage(block_t *b)
 {
     lanes turn[ND1];
-    turns(b->c, b->x, b->mode, b->k[0], turn, b->errors.trace);
+    turns(b->c, b->x, b->method.mode, b->k[0], turn, b->errors.trace);
     cap(b, turn);
 }
 
@@ -1088,8 +1105,8 @@ static void follow_error(block_t *b, double t_end)
     errors_t *e = &b->errors;
     const double rest = REST / t_end;
     LANE_LOOP {
-        const double local = b->error[l] <= b->tau[l] ? b->local[l] : 0.0;
-        const double head = larger(b->head[l], rest), tail = b->tail[l], per_head = 1.0 / head;
+        const double local = b->error[l] <= b->tau[l] ? b->method.local[l] : 0.0;
+        const double head = larger(b->method.head[l], rest), tail = b->method.tail[l], per_head = 1.0 / head;
         const double trace = e->trace[l], shift = local * per_head, side = local * head;
         const double grown = swell(0.5 * e->passed[l] * (e->spread[l] + trace));
         const double area = e->area[l] * grown * grown, across = ACROSS * per_head;
@@ -1119,7 +1136,7 @@ static double estimate(const block_t *b, int l, double t_end)
 {
     const errors_t *e = &b->errors;
     const double grown = swell(e->passed[l] * e->spread[l]);
-    const double across = ACROSS * grown / larger(b->tail[l], REST / t_end);
+    const double across = ACROSS * grown / larger(b->method.tail[l], REST / t_end);
     return sqrt(larger(e->doubt[l], e->area[l] * across * across));
 }
 
@@ -1142,7 +1159,7 @@ static void first_stage(block_t *b)
 {
     errors_t *e = &b->errors;
     set_inputs_at(b, 0.0);
-    memcpy(e->mode, b->mode, sizeof e->mode);
+    memcpy(e->mode, b->method.mode, sizeof e->mode);
     turns(b->c, INPUTS(b), b->x, e->e, e->mode, b->k[0], e->image, e->turn);
     /* a derivative that does not exist, as of |x| at 0, says nothing */
     for (int j = 0; j < NS; ++j)
@@ -1203,11 +1220,11 @@ static void follow_error(block_t *b, double t_end)
         own[l] = one - two * part - drift[l] * (a11 - a21 * part);
         side[l] = two - drift[l] * a21;
         ee[l] = em[l] = 0.0;
-        scale[l] = h > 0.0 ? b->local[l] / sqrt(b->sharp[l] + DBL_MIN) : 0.0;
+        scale[l] = h > 0.0 ? b->method.local[l] / sqrt(b->method.sharp[l] + DBL_MIN) : 0.0;
     }
     for (int j = 0; j < ND; ++j)
         LANE_LOOP {
-            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->e5[j][l] : 0.0;
+            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->method.e5[j][l] : 0.0;
             const double moved = own[l] * e->e[j][l] + side[l] * e->mode[j][l] + drift[l] * e->image[j][l];
             e->e[j][l] = moved;
             ee[l] += w * moved * w * moved;
@@ -1215,7 +1232,7 @@ static void follow_error(block_t *b, double t_end)
         }
     for (int j = ND; j < NS; ++j)
         LANE_LOOP {
-            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->e5[j][l] : 0.0;
+            const double w = b->weight[j][l], add = scale[l] > 0.0 ? scale[l] * b->method.e5[j][l] : 0.0;
             const double moved = e->e[j][l] + drift[l] * e->image[j][l];
             e->e[j][l] = moved;
             ee[l] += w * moved * w * moved;
@@ -1223,14 +1240,14 @@ static void follow_error(block_t *b, double t_end)
         }
     LANE_LOOP {
         /* the sum points where both do, and is as long as two sides of a right angle */
-        const double local = scale[l] > 0.0 ? b->local[l] : 0.0, sum = ee[l] + local * local;
+        const double local = scale[l] > 0.0 ? b->method.local[l] : 0.0, sum = ee[l] + local * local;
         e->doubt[l] = larger(e->doubt[l], sum);
         own[l] = sqrt(sum / (sum + 2.0 * fabs(em[l]) + DBL_MIN));
         scale[l] = em[l] < 0.0 ? -scale[l] : scale[l];
     }
     for (int j = 0; j < NS; ++j)
         LANE_LOOP {
-            const double add = scale[l] != 0.0 ? scale[l] * b->e5[j][l] : 0.0;
+            const double add = scale[l] != 0.0 ? scale[l] * b->method.e5[j][l] : 0.0;
             e->e[j][l] = own[l] * (e->e[j][l] + add);
         }
 }
@@ -1355,7 +1372,7 @@ static void stage15(block_t *b)
     stage_rates(b, 15, 0.7777777777777778);
 }
 
-static void attempt(block_t *b)
+static void attempt(block_t *b, const job_t *job)
 {
     first_stage(b);
     stage1(b);
@@ -1372,8 +1389,8 @@ static void attempt(block_t *b)
     for (int j = 0; j < NS; ++j)
         LANE_LOOP {
             b->xn[j][l] = b->x[j][l] + b->h[l] * (0.054293734116568765 * b->k[0][j][l] + 4.450312892752409 * b->k[5][j][l] + 1.8915178993145003 * b->k[6][j][l] + -5.801203960010585 * b->k[7][j][l] + 0.3111643669578199 * b->k[8][j][l] + -0.1521609496625161 * b->k[9][j][l] + 0.20136540080403034 * b->k[10][j][l] + 0.04471061572777259 * b->k[11][j][l]);
-            b->e5[j][l] = 0.01312004499419488 * b->k[0][j][l] + -1.2251564463762044 * b->k[5][j][l] + -0.4957589496572502 * b->k[6][j][l] + 1.6643771824549864 * b->k[7][j][l] + -0.35032884874997366 * b->k[8][j][l] + 0.3341791187130175 * b->k[9][j][l] + 0.08192320648511571 * b->k[10][j][l] + -0.022355307863886294 * b->k[11][j][l];
-            b->e3[j][l] = -0.18980075407240762 * b->k[0][j][l] + 4.450312892752409 * b->k[5][j][l] + 1.8915178993145003 * b->k[6][j][l] + -5.801203960010585 * b->k[7][j][l] + -0.4226823213237919 * b->k[8][j][l] + -0.1521609496625161 * b->k[9][j][l] + 0.20136540080403034 * b->k[10][j][l] + 0.02265179219836082 * b->k[11][j][l];
+            b->method.e5[j][l] = 0.01312004499419488 * b->k[0][j][l] + -1.2251564463762044 * b->k[5][j][l] + -0.4957589496572502 * b->k[6][j][l] + 1.6643771824549864 * b->k[7][j][l] + -0.35032884874997366 * b->k[8][j][l] + 0.3341791187130175 * b->k[9][j][l] + 0.08192320648511571 * b->k[10][j][l] + -0.022355307863886294 * b->k[11][j][l];
+            b->method.e3[j][l] = -0.18980075407240762 * b->k[0][j][l] + 4.450312892752409 * b->k[5][j][l] + 1.8915178993145003 * b->k[6][j][l] + -5.801203960010585 * b->k[7][j][l] + -0.4226823213237919 * b->k[8][j][l] + -0.1521609496625161 * b->k[9][j][l] + 0.20136540080403034 * b->k[10][j][l] + 0.02265179219836082 * b->k[11][j][l];
         }
 }
 
@@ -1405,7 +1422,7 @@ static void measure_between(block_t *b, double tol)
     for (int j = 0; j < NS; ++j)
         LANE_LOOP {
             const double s = larger(b->scale[j][l], fabs(b->xn[j][l]));
-            const double e = BETWEEN * (b->h[l] * b->rho[l] + 0.5) * fabs(b->d[6][j][l]) / s;
+            const double e = BETWEEN * (b->h[l] * b->method.rho[l] + 0.5) * fabs(b->d[6][j][l]) / s;
             b->error[l] = larger(b->error[l], e * b->tau[l] / tol);
         }
 }
@@ -1416,35 +1433,61 @@ static void measure_between(block_t *b, double tol)
 static void measure(block_t *b, double tol, int between)
 {
     lanes five, three;
-    LANE_LOOP five[l] = three[l] = b->head[l] = b->tail[l] = 0.0;
+    LANE_LOOP five[l] = three[l] = b->method.head[l] = b->method.tail[l] = 0.0;
     for (int j = 0; j < NS; ++j) {
         const double moves = j < ND ? 1.0 : 0.0;
         LANE_LOOP {
             const double w = 1.0 / larger(b->scale[j][l], fabs(b->xn[j][l]));
-            const double e5 = b->e5[j][l] * w, e3 = b->e3[j][l] * w;
+            const double e5 = b->method.e5[j][l] * w, e3 = b->method.e3[j][l] * w;
             b->weight[j][l] = w;
             five[l] += e5 * e5;
             three[l] += e3 * e3;
-            b->head[l] = larger(b->head[l], moves * w * fabs(b->k[0][j][l]));
-            b->tail[l] = larger(b->tail[l], moves * w * fabs(b->k[STAGES - 1][j][l]));
+            b->method.head[l] = larger(b->method.head[l], moves * w * fabs(b->k[0][j][l]));
+            b->method.tail[l] = larger(b->method.tail[l], moves * w * fabs(b->k[STAGES - 1][j][l]));
         }
     }
     LANE_LOOP {
         const double h = b->h[l];
         const double pair = h * five[l] / sqrt(five[l] + 0.01 * three[l] + DBL_MIN);
-        b->local[l] = b->error[l] = larger(pair, GUARD * h * h * three[l]);
-        b->sharp[l] = five[l];
+        b->method.local[l] = b->error[l] = larger(pair, GUARD * h * h * three[l]);
+        b->method.sharp[l] = five[l];
     }
     if (between)
         measure_between(b, tol);
 }
 
 /* x^(-1/8), within 0.5 %: Newton from a guess by the exponent. */
-INLINE double inverse_eighth_root(double x)
+INLINE double inverse_root(double x)
 {
     const double y = from_bits(5182826893670980608 - (bits(x) >> 3)), y2 = y * y, y4 = y2 * y2;
     return y * (1.125 - 0.125 * x * y4 * y4);
 }
+
+/* How much longer the next step may be. */
+INLINE double next_factor(block_t *b, int l, double ratio)
+{
+    return SAFETY * inverse_root(smaller(ratio, 1e30) + 1e-30);
+}
+
+/* State j of lane l at a fraction of the step. */
+INLINE double dense(const block_t *b, int j, int l, double s)
+{
+    const double r = 1.0 - s;
+    const double end = b->d[5][j][l] + s * b->d[6][j][l];
+    const double inner = b->d[3][j][l] + s * (b->d[4][j][l] + r * end);
+    return b->x[j][l] + s * (b->d[0][j][l] + r * (b->d[1][j][l] + s * (b->d[2][j][l] + r * inner)));
+}
+
+/* Put lane l at the beginning of its trajectory. */
+static void begin_method(block_t *b, int l, double tau)
+{
+    if (b->tau[l] != tau)
+        b->method.reach[l] = REACH * pow(tau, 1.0 / 12.0);
+    b->method.growth[l] = b->method.rho[l] = 0.0;
+    for (int j = 0; j < ND; ++j)
+        b->method.mode[j][l] = b->f0[j][l];
+}
+
 
 /* Accept or reject lane by lane and choose the next step; says whether any lane has ended. */
 static int advance(block_t *b, double t_end, double max_steps)
@@ -1464,7 +1507,7 @@ static int advance(block_t *b, double t_end, double max_steps)
         const double goal = t_end;
 #endif
         const double ratio = b->error[l] / b->tau[l];
-        const double wish = SAFETY * inverse_eighth_root(smaller(ratio, 1e30) + 1e-30);
+        const double wish = next_factor(b, l, ratio);
         const double factor = ratio == ratio ? larger(smaller(wish, GROW), SHRINK) : SHRINK;
         const double past = b->h[l] >= goal - b->t[l] ? goal : b->t[l] + b->h[l];
         const double t = ratio <= 1.0 ? past : b->t[l], rest = goal - t, h = b->h[l] * factor;
@@ -1509,14 +1552,6 @@ static void turn_pages(block_t *b, const job_t *job)
 #endif
 
 /* ---- between the steps ------------------------------------------------------------------- */
-
-INLINE double dense(const block_t *b, int j, int l, double s)
-{
-    const double r = 1.0 - s;
-    const double end = b->d[5][j][l] + s * b->d[6][j][l];
-    const double inner = b->d[3][j][l] + s * (b->d[4][j][l] + r * end);
-    return b->x[j][l] + s * (b->d[0][j][l] + r * (b->d[1][j][l] + s * (b->d[2][j][l] + r * inner)));
-}
 
 /* Whether lane l has made a step. */
 INLINE int stepped(const block_t *b, int l) { return b->id[l] >= 0 && b->error[l] <= b->tau[l]; }
@@ -1869,7 +1904,7 @@ static void queue_rates(queue_t *q, int k, double t, lanes *x)
 /* First steps: an explicit Euler probe measures how fast the velocity changes. */
 static void first_steps(queue_t *q, double t_end, double tau)
 {
-    const double probe = 1e-4 * t_end, ease = 0.5 * pow(tau, 0.125);
+    const double probe = 1e-4 * t_end, ease = 0.5 * pow(tau, 1.0 / ORDER);
     queue_rates(q, 0, 0.0, q->x);
     for (int j = 0; j < NS; ++j)
         LANE_LOOP q->xn[j][l] = q->x[j][l] + probe * q->k[0][j][l];
@@ -1926,15 +1961,11 @@ static void restart(block_t *b, int l, const job_t *job, double tau, double h)
         b->first[i][l] = INFINITY;
         b->size[i][l] = 0.0;
     }
-    if (b->tau[l] != tau)
-        b->reach[l] = REACH * pow(tau, 1.0 / 12.0);
+    begin_method(b, l, tau);
     b->tau[l] = tau;
     b->h[l] = h;
     b->t[l] = 0.0;
     b->state[l] = RUNNING;
-    b->growth[l] = b->rho[l] = 0.0;
-    for (int j = 0; j < ND; ++j)
-        b->mode[j][l] = b->f0[j][l];
     b->next[l] = 0;
     b->cause[l] = -1;
     b->stop[l] = 1.0;
@@ -2008,7 +2039,7 @@ static int retry(block_t *b, int l, const job_t *job)
     }
     const double finer = larger(0.3 * b->tau[l] * trusted / found, FINEST);
     ++b->retries[l];
-    restart(b, l, job, finer, b->h0[l] * pow(finer / b->tau[l], 0.125));
+    restart(b, l, job, finer, b->h0[l] * pow(finer / b->tau[l], 1.0 / ORDER));
     return 1;
 }
 
@@ -2028,7 +2059,7 @@ static void work(const job_t *job, int64_t *shared)
     for (int l = 0; l < LANES; ++l)
         running += load(&b, l, &q, job, shared, tau);
     while (running) {
-        attempt(&b);
+        attempt(&b, job);
         if (between)
             prepare_dense(&b);
         measure(&b, job->tol, between);
