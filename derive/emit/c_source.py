@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 import casadi as ca
+
+#: A statement whose right-hand side is in parentheses as a whole.
+_BRACED = re.compile(r"(?<==)\(([^()]*)\);$")
 
 
 def c_source(name: str, functions: Iterable[ca.Function], header: str) -> str:
@@ -21,4 +25,6 @@ def c_source(name: str, functions: Iterable[ca.Function], header: str) -> str:
     text: str = generator.dump()
     if "#error" in text:
         raise NotImplementedError(f"CasADi cannot generate C for all of {name}")
-    return f"/* {header} */\n{text}"
+    # nobody reads it: indentation and outer parentheses are a sixth of what is committed
+    lines = filter(None, (_BRACED.sub(r"\1;", line.strip()) for line in text.splitlines()))
+    return "\n".join([f"/* {header} */", *lines, ""])
