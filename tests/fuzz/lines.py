@@ -20,7 +20,6 @@ from groundroll.base.errors import GroundrollError
 
 from . import judges, mutation, truth
 from .harness import Case
-from .values import same
 
 _AIRCRAFT = ("brott", "brott-physical", "cessna-170", "cessna-172p")
 _ODD = (
@@ -206,9 +205,12 @@ def _linearize(name: str, model: str, given: dict[str, float], data: Any) -> str
     if wrong:
         return wrong
     for matrix in ("A", "B"):
-        if not same(
-            np.array(data[matrix], float).reshape(getattr(lin, matrix).shape), getattr(lin, matrix)
-        ):
+        right = getattr(lin, matrix)
+        found, noise = (
+            np.array(data[matrix], float).reshape(right.shape),
+            1e-12 * np.abs(right).max(),
+        )
+        if not np.allclose(found, right, 1e-9, noise):
             return f"{matrix}: {data[matrix]}"
     return ""
 
