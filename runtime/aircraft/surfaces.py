@@ -19,6 +19,11 @@ _APART = {
 }
 
 
+def held(derivatives: Collection[str]) -> dict[str, str]:
+    """The parameters that are 0 because some of these derivatives hold a surface, and which."""
+    return {s: surface for s, (surface, own) in _APART.items() if set(own) & set(derivatives)}
+
+
 class Doubt(NamedTuple):
     """A parameter that must say more: what was found, and what was expected."""
 

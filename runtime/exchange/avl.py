@@ -7,6 +7,7 @@ import re
 import tomllib
 from pathlib import Path
 
+from groundroll.aircraft.surfaces import held
 from groundroll.base.errors import GroundrollError
 from groundroll.base.files import text_of
 from groundroll.model.names import PARAMETERS
@@ -65,11 +66,8 @@ def read_avl(path: Path) -> Found:
             name = f"{coefficient}d{number}"
             if name in entries:
                 found.take(Taken(s, entries[name], "1/deg", f"{source}, {name}: {control}"))
-    if any(s.endswith(("rudder", "elevator")) for s in found.taken) or "CL_alpha" in found.taken:
-        found.take(
-            Taken("fin_apart", 0.0, "1", "the derivatives hold the fin"),
-            Taken("tailplane_apart", 0.0, "1", "the derivatives hold the tailplane"),
-        )
+    surfaces = held(found.taken)
+    found.take(*(Taken(s, 0.0, "1", f"the derivatives hold the {n}") for s, n in surfaces.items()))
     return found
 
 

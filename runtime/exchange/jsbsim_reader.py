@@ -10,6 +10,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
+from groundroll.aircraft.surfaces import held
 from groundroll.base.arrays import FloatArray
 from groundroll.base.errors import GroundrollError
 from groundroll.base.units import to_si
@@ -285,11 +286,12 @@ def _take_derivatives(root: ET.Element, found: Found, mass: Mass) -> None:
             source += "; moved from <AERORP> to the CG"
         value, unit = float(f"{moved[s]:.12g}"), PARAMETERS[s].unit
         found.take(Taken(s, value, unit, source, not all(p.exact for p in summands)))
-    if values:
-        found.take(
-            Taken("fin_apart", 0.0, "1", "the derivatives hold the fin"),
-            Taken("tailplane_apart", 0.0, "1", "the derivatives hold the tailplane"),
+    found.take(
+        *(
+            Taken(s, 0.0, "1", f"the derivatives hold the {name}")
+            for s, name in held(values).items()
         )
+    )
 
 
 def _levers(root: ET.Element, mass: Mass) -> dict[str, float]:
