@@ -10,8 +10,10 @@ import numpy as np
 
 from groundroll.aircraft.aircraft import Aircraft
 from groundroll.base.arrays import FloatArray
+from groundroll.base.errors import one_of
 from groundroll.base.units import from_si
 from groundroll.tires.size import surfaces
+from groundroll.view.plots import plain, style
 
 from .crosswind import BINDS, Clause, CrosswindLimit, crosswind_clause
 from .pilot import PilotLimit, pilot_limit
@@ -60,13 +62,14 @@ class Held:
         """Wind, delay and doubling time over speed."""
         from matplotlib import pyplot
 
-        figure, (above, below) = pyplot.subplots(
-            2, 1, figsize=(7.5, 8.5), sharex=True, height_ratios=(3, 2), layout="constrained"
-        )
-        self._draw_wind(above)
-        self._draw_delay(below)
-        where = f" on a {self.surface} runway" if self.surface else ""
-        figure.suptitle(f"{self.limit.aircraft.name}: what can be held{where}")
+        with style():
+            figure, (above, below) = pyplot.subplots(
+                2, 1, figsize=(7.5, 8.5), sharex=True, height_ratios=(3, 2), layout="constrained"
+            )
+            self._draw_wind(above)
+            self._draw_delay(below)
+            where = f" on a {self.surface} runway" if self.surface else ""
+            figure.suptitle(f"{plain(self.limit.aircraft.name)}: what can be held{where}")
         return figure
 
     def _draw_wind(self, ax: Any) -> None:
@@ -75,20 +78,20 @@ class Held:
         speed, wind = self.limit.speed * _KNOTS, self.limit.wind * _KNOTS
         delay = np.clip(np.nan_to_num(self.windy.delay, nan=0.0), 0.0, None)
         grid = np.broadcast_arrays(self.windy.speed * _KNOTS, self.winds[:, None] * _KNOTS)
-        colours = colormaps["RdYlGn"](np.linspace(0.05, 0.95, len(_LEVELS) + 1))
+        colours = colormaps["cividis"](np.linspace(0.1, 1.0, len(_LEVELS) + 1))
         shades = ax.contourf(*grid, delay, levels=(0, *_LEVELS), colors=colours, extend="max")
-        ax.figure.colorbar(shades, ax=ax, label="longest delay of the pilot [s]")
+        ax.figure.colorbar(shades, ax=ax, label="longest delay of the pilot (s)")
         ax.plot(speed, wind, "k-", lw=1.2)
         ax.fill_between(speed, wind, 1.15 * wind.max(), color="white")
         for k in np.unique(self.limit.binds):
             at = self.limit.binds == k
             ax.plot(speed[at], wind[at], "osD^vPX*"[k], color="k", ms=5, label=BINDS[k])
-        for name, asked, style in (
+        for name, asked, dashes in (
             ("25.233(a)", self.clause.asked, "--"),
             ("former 23.233(a)", self.clause.asked_small, ":"),
         ):
-            ax.axhline(asked * _KNOTS, color="tab:blue", ls=style, lw=1, label=name)
-        ax.set(ylim=(0, 1.15 * wind.max()), ylabel="steady crosswind [kt]")
+            ax.axhline(asked * _KNOTS, color="tab:blue", ls=dashes, lw=1, label=name)
+        ax.set(ylim=(0, 1.15 * wind.max()), ylabel="steady crosswind (kt)")
         ax.legend(title="what runs out first", fontsize="small", loc="upper right")
 
     def _draw_delay(self, ax: Any) -> None:
@@ -97,7 +100,7 @@ class Held:
         doubling = np.where(np.isfinite(self.still.doubling_time), self.still.doubling_time, np.nan)
         ax.semilogy(speed, doubling, color="tab:red", label="a deviation doubles in, hands off")
         ax.axhspan(*PEOPLE, color="0.85", label="delays of people")
-        ax.set(xlabel="speed along the runway [kt]", ylabel="time [s]")
+        ax.set(xlabel="speed along the runway (kt)", ylabel="time (s)")
         ax.grid(alpha=0.3)
         ax.legend(fontsize="small")
 
@@ -125,8 +128,6 @@ def held(plane: Aircraft, surface: str = "", brake: float = 0.0, **values: Any) 
 
 def on_surface(surface: str) -> Mapping[str, float]:
     """Friction of a surface over that of a dry runway, under each wheel."""
-    from groundroll.base.errors import one_of
-
     if not surface:
         return {}
     known = surfaces()
