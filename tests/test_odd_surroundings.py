@@ -21,7 +21,7 @@ from groundroll.aircraft.source import Source
 from groundroll.aircraft.template import template
 from groundroll.base.errors import GroundrollError
 from groundroll.base.files import complete
-from groundroll.base.interruption import ended, heeded
+from groundroll.base.interruption import ended, interruptible
 from groundroll.cli.output import Output, emit
 from groundroll.view.runway import runway_view
 
@@ -83,7 +83,7 @@ def test_what_an_encoding_lacks_is_written_as_in_python(tmp_path: Path):
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_what_is_ended_leaves_nothing_behind(number: signal.Signals, tmp_path: Path):
     def write() -> None:
-        with heeded(), complete(tmp_path / "file") as draft:
+        with interruptible(), complete(tmp_path / "file") as draft:
             draft.write_text("half")
             os.kill(os.getpid(), number)
             while True:  # until it arrives

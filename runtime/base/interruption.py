@@ -38,7 +38,7 @@ def ended() -> Iterator[list[int]]:
 
 
 @contextmanager
-def heeded() -> Iterator[Callable[[], None]]:
+def interruptible() -> Iterator[Callable[[], None]]:
     """Let Ctrl-C end the block with KeyboardInterrupt, whatever becomes of it on its way.
 
     Yields a function to call now and then: it raises what got lost.

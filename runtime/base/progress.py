@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from .interruption import heeded
+from .interruption import interruptible
 
 #: Called with what is done and how much there is in all, None as long as nobody knows.
 Show = Callable[[int, int | None], object]
@@ -46,7 +46,7 @@ def counted(progress: Progress, what: str, total: int | None = None) -> Iterator
     total : int, optional
         How much there is, as far as it is known.
     """
-    with heeded() as check, _shown(progress, what) as show:
+    with interruptible() as check, _shown(progress, what) as show:
         count = Count(show, total, check)
         yield count
         check()

@@ -89,7 +89,7 @@ def _group() -> None:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code, one of those above."""
     from groundroll.base.errors import GroundrollError
-    from groundroll.base.interruption import ended, heeded
+    from groundroll.base.interruption import ended, interruptible
 
     from .output import drop_stdout
 
@@ -98,7 +98,7 @@ def main(arguments: list[str] | None = None) -> int:
     with warnings.catch_warnings(), ended() as by:
         warnings.showwarning = _show_warning
         try:
-            with heeded():
+            with interruptible():
                 found = _group.main(arguments, prog_name="groundroll", standalone_mode=False)
             return found or 0
         except click.ClickException as problem:

@@ -106,7 +106,7 @@ def fates(
     v: Any,
     r: Any,
     criterion: Criterion,
-    told: Callable[[int], object] = lambda runs: None,
+    callback: Callable[[int], object] = lambda runs: None,
     model: ModelLike = "nonlinear",
     inputs: Mapping[str, FloatArray] | None = None,
     **options: Any,
@@ -121,7 +121,7 @@ def fates(
         m/s and rad/s.
     criterion : Criterion
         What counts as surviving.
-    told : callable
+    callback : callable
         Called with every number of runs that are done.
     model : str or Model
     inputs : mapping of str to ndarray
@@ -153,7 +153,7 @@ def fates(
         fate[where], when[where] = found
 
     judged = partial(_stopped if stops(model) else _straightened, criterion, model, options)
-    run(judged, cut(total, _RUNS), task, keep, told)
+    run(judged, cut(total, _RUNS), task, keep, callback)
     return fate.reshape(shape), when.reshape(shape)
 
 

@@ -23,7 +23,7 @@ def run(
     chunks: Sequence[range],
     task: Callable[[range], T],
     keep: Callable[[range, R], object],
-    told: Callable[[int], object],
+    callback: Callable[[int], object],
     executor: Executor | None = None,
 ) -> None:
     """Do `work` on the task of every chunk and `keep` what comes of it.
@@ -38,14 +38,14 @@ def run(
         What each task is about.
     task, keep : callable
         Make a task; put its result away. Both run here.
-    told : callable
+    callback : callable
         Called with the length of each chunk that is done.
     executor : concurrent.futures.Executor, optional
         Where `work` runs; here if omitted.
     """
     for chunk, result in _results(work, chunks, task, executor):
         keep(chunk, result)
-        told(len(chunk))
+        callback(len(chunk))
 
 
 def _results(

@@ -100,7 +100,7 @@ def assess(problem: Problem, design: Mapping[str, float]) -> Assessment:
         return np.stack([np.broadcast_to(x, points["u"].shape) for x in found])
 
     def worst(found: tuple[float, Mapping[str, float]]) -> Worst:
-        problem.told()
+        problem.callback()
         return Worst(*found)
 
     decay, damping, *others = map(worst, least(rows, case.axes, BUDGET))
@@ -129,7 +129,7 @@ def worst_displacement(problem: Problem, design: Mapping[str, float]) -> Worst:
         return -problem.displacement(design, points)[None]
 
     ((value, corner),) = least(rows, problem.case.axes, PATH_BUDGET)
-    problem.told()
+    problem.callback()
     return Worst(-value, corner)
 
 

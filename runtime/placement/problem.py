@@ -31,12 +31,12 @@ class Problem:
     ----------
     case : Case
         The problem in numbers.
-    told : callable
+    callback : callable
         Called after every step towards its solution: a program solved, an envelope looked over.
     """
 
     case: Case
-    told: Callable[[], object] = lambda: None
+    callback: Callable[[], object] = lambda: None
 
     @cached_property
     def numbers(self) -> FloatArray:

@@ -202,7 +202,7 @@ class Program:
             lbg=0.0,
             ubg=np.inf,
         )
-        problem.told()
+        problem.callback()
         x = np.array(result["x"]).ravel()
         chosen = {
             v.symbol: float(np.clip(v.low + x[k] * (v.high - v.low), v.low, v.high))

@@ -201,6 +201,6 @@ def _violated(
         checks.append((simulated, PATH_BUDGET))
     for rows, budget in checks:
         for residual, at in least(rows, problem.case.axes, budget, _NEAR):
-            problem.told()
+            problem.callback()
             if residual < _VIOLATED:
                 yield at

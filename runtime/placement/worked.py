@@ -95,14 +95,14 @@ class WorkedStudy:
         What the constant stiffness hid, for each question that both models answer.
     estimates : dict
         Parameter to its value and source, where the thesis gives none.
-    told : callable
+    callback : callable
         Called after every step of what is made of it, of which there are `steps`.
     """
 
     answers: tuple[Answer, ...]
     hidden: tuple[Hidden, ...]
     estimates: Mapping[str, Mapping[str, str]]
-    told: Callable[[], object]
+    callback: Callable[[], object]
 
     def placement(self, layout: str, stiffness: str, limits: str) -> Placement:
         """The answer to a question.
@@ -125,7 +125,7 @@ class WorkedStudy:
         models = [a.stiffness for a in self.answers if a.placement and a.layout == "taildragger"]
         best = [self.placement("taildragger", s, "stability") for s in dict.fromkeys(models)]
         return tuple(
-            each.pareto("nose_over", _POINTS, lambda done, total: self.told()) for each in best
+            each.pareto("nose_over", _POINTS, lambda done, total: self.callback()) for each in best
         )
 
     def tables(self) -> tuple[Table, ...]:
@@ -151,7 +151,7 @@ class WorkedStudy:
         found = {}
         for name, draw in drawn.items():
             found[name] = draw()
-            self.told()
+            self.callback()
         return found
 
     def __repr__(self) -> str:
@@ -173,12 +173,12 @@ def steps() -> int:
     return len(asked["models"]) * (questions + _POINTS) + 2 + len(_DRAWN)
 
 
-def worked_study(told: Callable[[], object] = lambda: None) -> WorkedStudy:
+def worked_study(callback: Callable[[], object] = lambda: None) -> WorkedStudy:
     """Place the gear of the thesis's aircraft with both models of the stiffness.
 
     Parameters
     ----------
-    told : callable
+    callback : callable
         Called after every step; see `steps`.
 
     Returns
@@ -200,8 +200,8 @@ def worked_study(told: Callable[[], object] = lambda: None) -> WorkedStudy:
             for limits, values in asked[layout]["limits"].items():
                 bounds = Limits(**values)
                 answers.append(_answer(plane, layout, stiffness, limits, envelope, bounds))
-                told()
-    return WorkedStudy(tuple(answers), tuple(_hidden(answers)), estimates, told)
+                callback()
+    return WorkedStudy(tuple(answers), tuple(_hidden(answers)), estimates, callback)
 
 
 def _asked() -> dict[str, Any]:

@@ -1410,7 +1410,7 @@ static void first_stage(block_t *b)
 }
 
 /* exp(x), within a fifth for |x| < 3 and bounded beyond. */
-INLINE double swell(double x)
+INLINE double exponential_bound(double x)
 {
     const double z = fabs(x), p = 1.0 + z * (1.0 + z * (1.0 / 2 + z * (1.0 / 6 + z / 24)));
     return x < 0.0 ? 1.0 / p : p;
@@ -1424,7 +1424,7 @@ static void follow_error(block_t *b, double t_end)
         const double local = b->error[l] <= b->tau[l] ? b->method.local[l] : 0.0;
         const double head = larger(b->method.head[l], rest), tail = b->method.tail[l], per_head = 1.0 / head;
         const double trace = e->trace[l], shift = local * per_head, side = local * head;
-        const double grown = swell(0.5 * e->passed[l] * (e->spread[l] + trace));
+        const double grown = exponential_bound(0.5 * e->passed[l] * (e->spread[l] + trace));
         const double area = e->area[l] * grown * grown, across = ACROSS * per_head;
         const double along = local > 0.0 ? (e->drift[l] + shift * shift) * tail * tail : 0.0;
         e->doubt[l] = larger(e->doubt[l], larger(along, area * across * across));
@@ -1451,7 +1451,7 @@ static void follow_error(block_t *b, double t_end)
 static double estimate(const block_t *b, int l, double t_end)
 {
     const errors_t *e = &b->errors;
-    const double grown = swell(e->passed[l] * e->spread[l]);
+    const double grown = exponential_bound(e->passed[l] * e->spread[l]);
     const double across = ACROSS * grown / larger(b->method.tail[l], REST / t_end);
     return sqrt(larger(e->doubt[l], e->area[l] * across * across));
 }
