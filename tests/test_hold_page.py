@@ -37,8 +37,8 @@ def test_the_picture_has_both_halves(wet) -> None:
     mpl.use("Agg")
     figure = wet.plot()
     labels = [ax.get_ylabel() for ax in figure.axes]
-    assert "steady crosswind [kt]" in labels
-    assert "time [s]" in labels
+    assert "steady crosswind (kt)" in labels
+    assert "time (s)" in labels
     assert "wet" in figure.get_suptitle()
 
 
