@@ -145,8 +145,8 @@ def _newton(question: Question, at: FloatArray, starts: int) -> tuple[FloatArray
     rates, slopes = system(at, everyone)
     scale = np.abs(slopes * widths).max(axis=-1, initial=0.0) + 1e-300
     left = _size(rates / scale)
-    step, length = _step(rates, slopes, scale, widths)
-    length = np.ones(len(at))
+    step, _ = _step(rates, slopes, scale, widths)
+    length = np.ones(len(at))  # first steps are whole ones, and shortened like the others
     open_ = np.flatnonzero(np.isfinite(left) & (left > 0))
     for _ in range(_STEPS):
         if not open_.size:
